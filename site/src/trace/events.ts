@@ -1,0 +1,137 @@
+/**
+ * The events of a trace, as `py/bugbot/trace.py` defines them (a test holds the two equal).
+ * Imports nothing of ours.
+ *
+ * Times in seconds of simulated time, lengths in cm on the mat, headings in degrees clockwise
+ * from straight up the mat.
+ */
+
+export const FORMAT = "bugbot-trace";
+export const VERSION = 1;
+/** The point store counts in hundredths of a centimetre. */
+export const POINTS_PER_CM = 100;
+
+/** Field names of each kind, in the order of a row: `[kind, ...values]`. */
+export const KINDS = {
+  pose: ["t", "x", "y", "heading"],
+  scan: ["t", "x", "y", "heading", "beams"],
+  layer: ["t", "name", "colour", "shape", "size", "first", "count", "texts"],
+  plot: ["t", "name", "value"],
+  print: ["t", "stream", "text"],
+  line: ["t", "line"],
+  led: ["t", "red", "green", "blue"],
+  beep: ["t", "freq", "ms"],
+  bump: ["t", "x", "y"],
+  fault: ["t", "type", "message", "line", "hint", "traceback"],
+  end: ["t", "status", "message"],
+} as const;
+
+export type Kind = keyof typeof KINDS;
+
+export interface Pose {
+  t: number;
+  x: number;
+  y: number;
+  heading: number;
+}
+
+/** One look of the depth sensor, from the true pose. */
+export interface Scan extends Pose {
+  /** angle, distance, angle, distance, … (degrees from straight ahead, clockwise; cm). */
+  beams: readonly number[];
+}
+
+export type Shape = "dots" | "squares" | "line" | "text";
+
+export interface Layer {
+  t: number;
+  name: string;
+  colour: string;
+  shape: Shape;
+  /** cm: side of a square, diameter of a dot, width of a line, height of text. */
+  size: number;
+  /** Number of the first point in the point store, and how many. */
+  first: number;
+  count: number;
+  texts: readonly string[] | null;
+}
+
+export interface Plot {
+  t: number;
+  name: string;
+  value: number;
+}
+
+export interface Print {
+  t: number;
+  stream: "stdout" | "stderr";
+  text: string;
+}
+
+export interface Fault {
+  t: number;
+  type: string;
+  message: string;
+  line: number | null;
+  hint: string | null;
+  traceback: string;
+}
+
+export type Status = "finished" | "fault" | "stopped" | "limit";
+
+export interface End {
+  t: number;
+  status: Status;
+  message: string;
+}
+
+export interface Obstacle {
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+  /** What it is called in sentences: "post", "shelf". */
+  name: string;
+}
+
+/** A world as in `py/bugbot/worlds/*.json`. */
+export interface World {
+  name: string;
+  title: string;
+  description: string;
+  obstacles: readonly Obstacle[];
+  start: { x: number; y: number; heading: number };
+}
+
+export interface Header {
+  format: typeof FORMAT;
+  version: typeof VERSION;
+  program: string;
+  world: World;
+  seed: number;
+  kinds: Record<string, readonly string[]>;
+}
+
+/** What comes out of a running program at a time: rows as JSON text, and the new points. */
+export interface Chunk {
+  /** A JSON list of rows. */
+  events: string;
+  /** x, y, x, y, … in hundredths of a cm, to be appended to the store. */
+  points: Int16Array;
+}
+
+/** The summary of a run: design.md section 3, the same JSON as `python -m bugbot run --json`. */
+export interface Outcome {
+  status: Status;
+  /** What the end event says in words. */
+  message: string;
+  seconds: number;
+  console: string;
+  pose: { x: number; y: number; heading: number };
+  series: Record<string, [t: number, value: number][]>;
+  layers: Record<
+    string,
+    { shape: Shape; size: number; colour: string; points: [number, number][]; texts?: string[] }
+  >;
+  fault: null | { type: string; message: string; line: number | null; hint: string | null };
+}
