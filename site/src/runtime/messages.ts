@@ -10,26 +10,33 @@ import type { World } from "../trace/events.ts";
 /** What a new worker is handed. Nothing in it is fetched by the worker itself. */
 export interface Boot {
   kind: "boot";
-  /** Where pyodide.mjs lies; absolute. */
+  /** Where pyodide.mjs lies; absolute, ends in a slash. */
   pyodideUrl: string;
   /** The compiled interpreter, shared by every worker of the page. */
   module: WebAssembly.Module;
   /** Memory of the started interpreter, or null for a plain start. */
-  snapshot: ArrayBuffer | null;
-  /** The standard library archive; null while it is still on its way (with a snapshot only). */
+  snapshot: Blob | null;
+  /** The standard library archive; may be null with a snapshot, while it is on its way. */
   stdlib: ArrayBuffer | null;
   /** Our Python sources: path below site-packages -> text. */
   sources: Record<string, string>;
 }
 
+/** Each ends the run with a plain message; the names are those of `bugbot.run.Limits`. */
 export interface Limits {
-  /** Simulated seconds. */
   simulated_s: number;
   /** Seconds of computing with no simulated time passing. */
   silent_s: number;
   print_bytes: number;
   trace_bytes: number;
 }
+
+export const DEFAULT_LIMITS: Limits = {
+  simulated_s: 600,
+  silent_s: 60,
+  print_bytes: 2_000_000,
+  trace_bytes: 64_000_000,
+};
 
 export interface RunRequest {
   program: string;
@@ -39,20 +46,66 @@ export interface RunRequest {
 }
 
 export type ToWorker =
-  | ({ kind: "run"; id: number } & RunRequest)
+  /** Which modules does this program import that are not loaded? Answered by `imports`. */
+  | { kind: "inspect"; id: number; program: string }
+  | {
+      kind: "run";
+      id: number;
+      program: string;
+      world: World;
+      seed: number;
+      limits: Limits;
+      /** Python's own limit on the depth of calls. */
+      recursionLimit: number;
+    }
   | { kind: "stdlib"; bytes: ArrayBuffer }
   | { kind: "package"; name: string; bytes: ArrayBuffer };
 
 export type FromWorker =
-  /** The interpreter is up and answers `run`. */
+  /** The interpreter is up and answers the messages above. */
   | { kind: "ready" }
+  | { kind: "imports"; id: number; missing: string[]; hasStdlib: boolean }
   /** Events since the last chunk; `points` is an Int16Array's buffer, transferred. */
   | { kind: "chunk"; id: number; events: string; points: ArrayBuffer }
   /** The program has ended by itself; its trace holds an end event. */
   | { kind: "finished"; id: number }
-  /** The program is about to import a package that is not loaded yet. */
-  | { kind: "need"; id: number; name: "numpy" | "stdlib" }
-  /** The interpreter died; `message` is the runtime's own. */
-  | { kind: "died"; id: number | null; message: string }
-  /** A fault of ours, with everything we know. */
-  | { kind: "internal_error"; id: number | null; message: string };
+  /**
+   * The interpreter can't be used any more: `recursion`, calls went deeper than the engine allows;
+   * `fatal`, it broke down; `internal`, a fault of ours. `message` has all that is known.
+   */
+  | {
+      kind: "died";
+      id: number | null;
+      reason: "recursion" | "fatal" | "internal";
+      message: string;
+    };
+
+/** Is this a message that a worker may send? Its shape and bounds, not its truth. */
+export function isFromWorker(value: unknown): value is FromWorker {
+  if (typeof value !== "object" || value === null || !("kind" in value)) return false;
+  const message = value as Record<string, unknown>;
+  const hasId = typeof message.id === "number";
+  switch (message.kind) {
+    case "ready":
+      return true;
+    case "imports":
+      return (
+        hasId &&
+        typeof message.hasStdlib === "boolean" &&
+        Array.isArray(message.missing) &&
+        message.missing.every((name) => typeof name === "string")
+      );
+    case "chunk":
+      return hasId && typeof message.events === "string" && message.points instanceof ArrayBuffer;
+    case "finished":
+      return hasId;
+    case "died":
+      return (
+        (hasId || message.id === null) &&
+        typeof message.message === "string" &&
+        ["recursion", "fatal", "internal"].includes(message.reason as string)
+      );
+    default:
+      return false;
+  }
+}

@@ -1,0 +1,96 @@
+"""One run in the browser: takes the program in, sends the trace out as it grows."""
+
+from __future__ import annotations
+
+import ast
+import json
+import sys
+from collections.abc import Callable
+from time import perf_counter  # the real clock: kept before a run puts the simulated one in its place
+from typing import Any
+
+from pyodide.ffi import to_js  # type: ignore[import-not-found]  # exists only in the browser
+
+from bugbot.run import Limits, run_program
+from bugbot.trace import Trace
+
+__all__ = ["missing_modules", "run"]
+
+FLUSH_SECONDS = 0.016
+"""What was recorded goes to the page at most once a frame."""
+
+
+def missing_modules(program: str) -> list[str]:
+    """Top-level names of the modules that a program imports and that are not loaded yet.
+
+    A program that cannot be parsed has none: running it will say what is wrong.
+    """
+    try:
+        tree = ast.parse(program)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return []
+    names: dict[str, None] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            imported = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            imported = [node.module or ""]
+        else:
+            continue
+        for name in imported:
+            # Of a dotted name, the package may be loaded and the module not.
+            if name and name not in sys.modules:
+                names[name.partition(".")[0]] = None
+    return list(names)
+
+
+class _Sender:
+    """Sends what a trace has gathered, at most once a frame."""
+
+    def __init__(self, send: Callable[[str, Any], None]) -> None:
+        self._send = send
+        self._trace: Trace | None = None
+        self._sent_at = 0.0
+
+    def follow(self, trace: Trace) -> None:
+        self._trace = trace
+
+    def flush_if_due(self) -> None:
+        if perf_counter() - self._sent_at >= FLUSH_SECONDS:
+            self.flush()
+
+    def flush(self) -> None:
+        if self._trace is not None:
+            events, points = self._trace.take()
+            self._send(events, to_js(points))
+        self._sent_at = perf_counter()
+
+
+def run(
+    program: str,
+    world_json: str,
+    seed: int,
+    limits_json: str,
+    recursion_limit: int,
+    send: Callable[[str, Any], None],
+) -> None:
+    """Run a program and send its trace; the last chunk holds the end event.
+
+    `send(events, points)` takes the rows as JSON text and the new points as a Uint8Array.
+    `recursion_limit` is Python's own limit on the depth of calls.
+    """
+    sender = _Sender(send)
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(recursion_limit)
+    try:
+        run_program(
+            program,
+            json.loads(world_json),
+            seed,
+            limits=Limits(**json.loads(limits_json)),
+            trace_ready=sender.follow,
+            on_flush=sender.flush_if_due,
+        )
+    finally:
+        sys.setrecursionlimit(before)
+    sender.flush()

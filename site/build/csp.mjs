@@ -1,0 +1,24 @@
+/**
+ * The site's Content-Security-Policy, once: in every page as a meta element, for hosts that cannot
+ * send headers. Workers are started from blob: addresses, so they inherit it.
+ */
+const POLICY = {
+  "default-src": ["'none'"],
+  // 'wasm-unsafe-eval' lets WebAssembly compile; it does not let text become code.
+  "script-src": ["'self'", "'wasm-unsafe-eval'"],
+  // The editor and the elements make their style sheets at run time.
+  "style-src": ["'self'", "'unsafe-inline'"],
+  "img-src": ["'self'", "data:", "blob:"],
+  "font-src": ["'self'"],
+  "connect-src": ["'self'"],
+  "worker-src": ["blob:"],
+  "manifest-src": ["'self'"],
+  "base-uri": ["'none'"],
+  "form-action": ["'none'"],
+};
+
+export function contentSecurityPolicy() {
+  return Object.entries(POLICY)
+    .map(([directive, sources]) => `${directive} ${sources.join(" ")}`)
+    .join("; ");
+}

@@ -1,0 +1,10 @@
+/** npm run dev: the instructor's server, which reloads the page when a file changes. */
+import { ensureInstalled } from "./install.mjs";
+
+ensureInstalled();
+const { createServer } = await import("vite");
+const server = await createServer({
+  configFile: new URL("../../vite.config.js", import.meta.url).pathname,
+});
+await server.listen();
+server.printUrls();

@@ -1,0 +1,110 @@
+/**
+ * Vite's view of the project's own data: two virtual modules and the folder of Python's files.
+ *
+ * virtual:bugbot        the worlds, the ready programs and the robot's calls
+ * virtual:python-files  where the browser finds Python, and how large each file is
+ */
+import { createReadStream, existsSync, readFileSync } from "node:fs";
+import { join, normalize } from "node:path";
+import { contentSecurityPolicy } from "./csp.mjs";
+import { filesBelow, ROOT } from "./files.mjs";
+import { preparePython } from "./python.mjs";
+
+const FOLDER = "python";
+
+/** @returns {import("vite").Plugin} */
+export function bugbot() {
+  /** @type {Awaited<ReturnType<typeof preparePython>>} */
+  let python;
+  let dev = false;
+
+  return {
+    name: "bugbot",
+
+    async config(_config, { command }) {
+      dev = command === "serve";
+      python = await preparePython((text) => console.log(text));
+    },
+
+    resolveId(id) {
+      if (id === "virtual:bugbot" || id === "virtual:python-files") return `\0${id}`;
+      return null;
+    },
+
+    load(id) {
+      if (id === "\0virtual:bugbot") {
+        const { worlds, api } = python.course;
+        return exportsOf({ worlds, api, readyPrograms: readyPrograms() });
+      }
+      if (id === "\0virtual:python-files") {
+        const { files, loader, numpy } = python.manifest;
+        // Scripts lie in assets/, beside the folder of Python's files, wherever the site lies.
+        const base = dev ? `/${FOLDER}/` : `../${FOLDER}/`;
+        return exportsOf({ base, loader, numpyVersion: numpy, files });
+      }
+      return null;
+    },
+
+    generateBundle() {
+      for (const path of filesBelow(python.folder, isServed)) {
+        const source = readFileSync(join(python.folder, path));
+        this.emitFile({ type: "asset", fileName: `${FOLDER}/${path}`, source });
+      }
+    },
+
+    transformIndexHtml() {
+      // The development server needs inline scripts and a web socket for live reload.
+      if (dev) return [];
+      const content = contentSecurityPolicy();
+      const attrs = { "http-equiv": "Content-Security-Policy", content };
+      return [{ tag: "meta", attrs, injectTo: "head-prepend" }];
+    },
+
+    configureServer(server) {
+      server.middlewares.use(`/${FOLDER}/`, (request, response, next) => {
+        const path = normalize(decodeURIComponent((request.url ?? "/").replace(/\?.*/, "")));
+        const file = join(python.folder, path);
+        if (!file.startsWith(python.folder) || !existsSync(file)) return next();
+        const script = path.endsWith(".mjs");
+        response.setHeader("Content-Type", script ? "text/javascript" : "application/octet-stream");
+        createReadStream(file).pipe(response);
+      });
+    },
+  };
+}
+
+/**
+ * What the site serves of the prepared folder: not what only the build reads.
+ * @param {string} path
+ */
+function isServed(path) {
+  return !path.endsWith(".json");
+}
+
+/**
+ * The programs of lessons/lab/, whole. Throws, naming file and remedy, if one is missing.
+ * @returns {{ world: string, title: string, source: string }[]}
+ */
+function readyPrograms() {
+  const folder = join(ROOT, "lessons/lab");
+  const index = join(folder, "lab.json");
+  if (!existsSync(index)) throw new Error(`${index} is missing: it lists the lab's programs`);
+  /** @type {{ world: string, program: string, title: string }[]} */
+  const entries = JSON.parse(readFileSync(index, "utf8"));
+  return entries.map(({ world, program, title }) => {
+    const file = join(folder, program);
+    if (!existsSync(file)) {
+      throw new Error(
+        `${index}: there is no program ${program}. Write ${file}, or mend the entry.`,
+      );
+    }
+    return { world, title, source: readFileSync(file, "utf8") };
+  });
+}
+
+/** @param {Record<string, unknown>} values */
+function exportsOf(values) {
+  return Object.entries(values)
+    .map(([name, value]) => `export const ${name} = ${JSON.stringify(value)};`)
+    .join("\n");
+}

@@ -1,0 +1,121 @@
+/**
+ * Prepares everything the browser needs to run Python, under .cache/python/:
+ * the interpreter, its memory snapshot, the standard library, NumPy, our sources, and what the
+ * page knows about them (manifest.json, course.json). Made again only when something changed.
+ *
+ * Large files are stored gzipped under names that end in .bin, so that they are small on any static
+ * host and no server unpacks them on the way; the page does that itself.
+ */
+import { existsSync, readFileSync, rmSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { CACHE, filesBelow, hashOfFiles, ROOT, sha256, write } from "./files.mjs";
+import { numpyWheel } from "./numpy.mjs";
+import { makeSnapshot, runInPyodide } from "./snapshot.mjs";
+
+const PYODIDE = join(ROOT, "node_modules/pyodide");
+const OUT = join(CACHE, "python");
+
+/** Packages under py/ that go to the browser. */
+const PACKAGES = ["bugbot", "mapping", "grader", "bridge"];
+
+/** Python run at build time: the robot's calls as data, from their own docstrings. */
+const DESCRIBE = `
+import json
+from bridge.describe import describe
+json.dumps(describe(), ensure_ascii=False)
+`;
+
+/**
+ * @typedef {{ path: string, bytes: number }} PythonFile
+ * @typedef {{
+ *   key: string,
+ *   pyodide: string,
+ *   numpy: string,
+ *   loader: string,
+ *   files: Record<string, PythonFile>,
+ * }} Manifest
+ * @typedef {{ worlds: object[], api: object[] }} Course
+ *
+ * @param {(text: string) => void} log
+ * @returns {Promise<{ folder: string, manifest: Manifest, course: Course }>}
+ */
+export async function preparePython(log = (_text) => {}) {
+  const sources = readSources();
+  const key = inputsKey();
+  const ready = readJson(join(OUT, "manifest.json"));
+  if (ready?.key === key) {
+    return { folder: OUT, manifest: ready, course: readJson(join(OUT, "course.json")) };
+  }
+  rmSync(OUT, { recursive: true, force: true });
+
+  log("preparing Python for the browser: interpreter, snapshot, NumPy");
+  const wheel = await numpyWheel(log);
+  const packages = PACKAGES.filter((name) => `${name}/__init__.py` in sources);
+  const snapshot = await makeSnapshot(sources, packages);
+  const course = JSON.parse(await runInPyodide(sources, DESCRIBE));
+
+  const manifest = {
+    key,
+    pyodide: JSON.parse(readFileSync(join(PYODIDE, "package.json"), "utf8")).version,
+    numpy: wheel.version,
+    files: {
+      interpreter: store("interpreter", gzip(readFileSync(join(PYODIDE, "pyodide.asm.wasm")))),
+      snapshot: store("snapshot", gzip(snapshot)),
+      sources: store("sources", gzip(JSON.stringify(sources))),
+      // Archives are compressed already.
+      stdlib: store("stdlib", readFileSync(join(PYODIDE, "python_stdlib.zip"))),
+      numpy: store("numpy", wheel.bytes),
+    },
+    loader: `pyodide-${sha256(readFileSync(join(PYODIDE, "pyodide.asm.mjs"))).slice(0, 8)}`,
+  };
+  for (const file of ["pyodide.mjs", "pyodide.asm.mjs"]) {
+    write(join(OUT, manifest.loader, file), readFileSync(join(PYODIDE, file)));
+  }
+  write(join(OUT, "course.json"), JSON.stringify(course));
+  write(join(OUT, "manifest.json"), JSON.stringify(manifest, null, 2));
+  return { folder: OUT, manifest, course };
+}
+
+function readSources() {
+  /** @type {Record<string, string>} */
+  const sources = {};
+  for (const name of PACKAGES) {
+    const folder = join(ROOT, "py", name);
+    for (const path of filesBelow(folder, (file) => /\.(py|json)$/.test(file))) {
+      sources[`${name}/${path}`] = readFileSync(join(folder, path), "utf8");
+    }
+  }
+  return sources;
+}
+
+function inputsKey() {
+  const ours = PACKAGES.flatMap((name) =>
+    filesBelow(join(ROOT, "py", name)).map((path) => join(ROOT, "py", name, path)),
+  );
+  const build = ["files", "numpy", "python", "snapshot"].map((name) =>
+    join(ROOT, "site/build", `${name}.mjs`),
+  );
+  return hashOfFiles([...ours, ...build, join(PYODIDE, "package.json")]);
+}
+
+/**
+ * @param {string} name
+ * @param {Uint8Array} bytes
+ * @returns {PythonFile}
+ */
+function store(name, bytes) {
+  const path = `${name}-${sha256(bytes).slice(0, 8)}.bin`;
+  write(join(OUT, path), bytes);
+  return { path, bytes: bytes.length };
+}
+
+/** @param {string | Uint8Array} data */
+function gzip(data) {
+  return gzipSync(data, { level: 9 });
+}
+
+/** @param {string} path */
+function readJson(path) {
+  return existsSync(path) ? JSON.parse(readFileSync(path, "utf8")) : null;
+}

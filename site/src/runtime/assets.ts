@@ -1,0 +1,98 @@
+/**
+ * Everything that workers are handed, downloaded once a page.
+ *
+ * What the first run needs comes first; the standard library follows behind it, because the
+ * snapshot already holds the modules that most programs use.
+ */
+import { base, files, loader, type PythonFile } from "virtual:python-files";
+import { type Download, fetchCounted, fetchUnpacked, Progress } from "./download.ts";
+import type { Boot } from "./messages.ts";
+
+export class Assets {
+  readonly progress = new Progress();
+  readonly #module: Promise<WebAssembly.Module>;
+  readonly #snapshot: Promise<Blob | null>;
+  readonly #sources: Promise<Record<string, string>>;
+  #stdlib: Promise<ArrayBuffer> | null = null;
+  #stdlibBytes: ArrayBuffer | null = null;
+  #numpy: Promise<ArrayBuffer> | null = null;
+
+  constructor() {
+    for (const file of [files.interpreter, files.snapshot, files.sources]) {
+      this.progress.expect(file.bytes);
+    }
+    this.#module = this.#unpack(files.interpreter, "application/wasm").then((response) =>
+      WebAssembly.compileStreaming(response),
+    );
+    this.#snapshot = this.#unpack(files.snapshot).then(
+      (response) => response.blob(),
+      (error: unknown) => this.#withoutSnapshot(error),
+    );
+    this.#sources = this.#unpack(files.sources).then(
+      (response) => response.json() as Promise<Record<string, string>>,
+    );
+    // Each is awaited in boot(); until then a failure is not "unhandled".
+    for (const part of [this.#module, this.#snapshot, this.#sources]) part.catch(() => {});
+  }
+
+  /** What a new worker is handed now. Rejects if the site's files can't be had. */
+  async boot(): Promise<Boot> {
+    const [module, snapshot, sources] = await Promise.all([
+      this.#module,
+      this.#snapshot,
+      this.#sources,
+    ]);
+    const stdlib = snapshot ? this.#stdlibBytes : await this.stdlib();
+    return { kind: "boot", pyodideUrl: url(`${loader}/`), module, snapshot, stdlib, sources };
+  }
+
+  /** The standard library's archive; the download starts with the first call. */
+  stdlib(): Promise<ArrayBuffer> {
+    this.#stdlib ??= this.#bytes(files.stdlib, new Progress()).then((bytes) => {
+      this.#stdlibBytes = bytes;
+      return bytes;
+    });
+    // The next call tries again.
+    this.#stdlib.catch(() => {
+      this.#stdlib = null;
+    });
+    return this.#stdlib;
+  }
+
+  /** NumPy's wheel; `note` hears how far the download is. */
+  numpy(note: (text: string) => void): Promise<ArrayBuffer> {
+    const progress = new Progress();
+    progress.expect(files.numpy.bytes);
+    progress.addEventListener("change", () => {
+      const percent = Math.round((100 * progress.loaded) / progress.total);
+      note(`Loading NumPy: ${percent} % of ${(progress.total / 1e6).toFixed(1)} MB`);
+    });
+    this.#numpy ??= this.#bytes(files.numpy, progress);
+    this.#numpy.catch(() => {
+      this.#numpy = null;
+    });
+    return this.#numpy;
+  }
+
+  /** Start plainly from now on: slower, but it works. */
+  #withoutSnapshot(error: unknown): null {
+    console.info("Python starts without its memory snapshot:", error);
+    return null;
+  }
+
+  #unpack(file: PythonFile, contentType?: string): Promise<Response> {
+    return fetchUnpacked(download(file), this.progress, contentType);
+  }
+
+  async #bytes(file: PythonFile, progress: Progress): Promise<ArrayBuffer> {
+    return new Response(await fetchCounted(download(file), progress)).arrayBuffer();
+  }
+}
+
+function url(path: string): string {
+  return new URL(base + path, import.meta.url).href;
+}
+
+function download(file: PythonFile): Download {
+  return { url: url(file.path), bytes: file.bytes };
+}

@@ -1,0 +1,106 @@
+/**
+ * Python for a page: one Runtime, however many labs. May import `trace` only.
+ */
+import type { World } from "../trace/events.ts";
+import type { Trace } from "../trace/trace.ts";
+import { Assets } from "./assets.ts";
+import type { RunRequest } from "./messages.ts";
+import { Pool } from "./pool.ts";
+import { Run, type RunListeners, type Workers } from "./run.ts";
+
+export type { RunRequest } from "./messages.ts";
+export type { RunListeners } from "./run.ts";
+
+/** cold: nothing asked for yet. loading: on its way. ready: a run starts at once. */
+export type RuntimeState = "cold" | "loading" | "ready" | "failed";
+
+/** A run under way. `trace` grows; `done` resolves for every ending, which `trace.end` tells. */
+export interface Running {
+  readonly trace: Trace;
+  readonly done: Promise<Trace>;
+  stop(): void;
+}
+
+/** A real program that is run out of sight, so that the engine has compiled the hot paths. */
+export interface WarmUp {
+  program: string;
+  world: World;
+}
+
+/** Dispatches "change" when `state` or `progress` has changed. */
+export class Runtime extends EventTarget {
+  #state: RuntimeState = "cold";
+  #error: string | null = null;
+  #assets: Assets | null = null;
+  #pool: Pool | null = null;
+  readonly #warmUp: WarmUp | null;
+
+  constructor(warmUp: WarmUp | null = null) {
+    super();
+    this.#warmUp = warmUp;
+  }
+
+  get state(): RuntimeState {
+    return this.#state;
+  }
+
+  /** What went wrong, when the state is failed. */
+  get error(): string | null {
+    return this.#error;
+  }
+
+  /** Bytes of the download, as transferred. */
+  get progress(): { loaded: number; total: number; label: string } {
+    const { loaded = 0, total = 0 } = this.#assets?.progress ?? {};
+    const label = loaded < total ? "Loading Python" : "Starting Python";
+    return { loaded, total, label };
+  }
+
+  /** Start downloading and starting Python. Does nothing when that is under way or done. */
+  warm(): void {
+    if (this.#state === "loading" || this.#state === "ready") return;
+    void this.#start();
+  }
+
+  /** Run a program. Starts Python if need be; the run then waits for it. */
+  run(request: RunRequest, listeners: RunListeners = {}): Running {
+    this.warm();
+    if (!this.#pool || !this.#assets) throw new Error("warm() leaves a pool behind");
+    return new Run(request, listeners, this.#pool, this.#assets);
+  }
+
+  async #start(): Promise<void> {
+    const assets = new Assets();
+    const pool = new Pool(() => assets.boot());
+    this.#assets = assets;
+    this.#pool = pool;
+    assets.progress.addEventListener("change", () => this.#changed());
+    this.#become("loading");
+    try {
+      await pool.prepare();
+    } catch (error) {
+      this.#become("failed", error instanceof Error ? error.message : String(error));
+      return;
+    }
+    this.#become("ready");
+    assets.stdlib().catch(() => {});
+    await this.#runWarmUp(pool, assets);
+  }
+
+  /** In a worker of its own, which is then thrown away: what was compiled serves the next ones. */
+  async #runWarmUp(pool: Pool, assets: Assets): Promise<void> {
+    if (!this.#warmUp) return;
+    const workers: Workers = { take: () => pool.start(), prepare: async () => {} };
+    await new Run({ ...this.#warmUp, seed: 0 }, {}, workers, assets).done;
+  }
+
+  #become(state: RuntimeState, error: string | null = null): void {
+    this.#state = state;
+    this.#error = error;
+    this.#changed();
+  }
+
+  #changed(): void {
+    this.dispatchEvent(new Event("change"));
+  }
+}

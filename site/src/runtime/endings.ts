@@ -1,0 +1,84 @@
+/** The last events of a run that did not end by itself, in words for the learner. */
+import type { Chunk, Status } from "../trace/events.ts";
+import type { Trace } from "../trace/trace.ts";
+import type { Limits } from "./messages.ts";
+
+export type Ending =
+  | { kind: "finished" }
+  | { kind: "stopped" }
+  /** Computed for too long with no simulated time passing. */
+  | { kind: "silent" }
+  | { kind: "died"; reason: "recursion" | "fatal" | "internal"; message: string };
+
+/** The events that complete a trace whose program could not end it itself. */
+export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
+  const t = trace.duration;
+  const at = `${t.toFixed(1)} s`;
+  const line = trace.lineAt(t);
+  switch (ending.kind) {
+    case "stopped":
+      return end(t, "stopped", `Stopped at ${at}.`);
+    case "silent":
+      return end(
+        t,
+        "limit",
+        `Stopped: the program computed for ${limits.silent_s} seconds without letting any simulated time ` +
+          "pass. Is there a loop that never ends, or one without wait()?",
+      );
+    case "finished":
+      return fault(
+        t,
+        "InternalError",
+        "The run ended without saying how. This is a fault of the site, not of your program.",
+        null,
+        "",
+      );
+    case "died":
+      if (ending.reason === "recursion") {
+        return fault(
+          t,
+          "RecursionError",
+          "Calls went deeper than the browser allows: a function keeps calling itself.",
+          line,
+          ending.message,
+        );
+      }
+      if (ending.reason === "fatal") {
+        return fault(
+          t,
+          "SystemError",
+          "The program broke the Python interpreter, so the run ended here. The next run starts afresh.",
+          line,
+          ending.message,
+        );
+      }
+      return fault(
+        t,
+        "InternalError",
+        "Something went wrong in the site itself, not in your program. Please run it again.",
+        null,
+        ending.message,
+      );
+  }
+}
+
+function end(t: number, status: Status, message: string): Chunk {
+  return chunk([["end", t, status, message]]);
+}
+
+function fault(
+  t: number,
+  type: string,
+  message: string,
+  line: number | null,
+  detail: string,
+): Chunk {
+  return chunk([
+    ["fault", t, type, message, line, null, detail],
+    ["end", t, "fault", message],
+  ]);
+}
+
+function chunk(rows: unknown[][]): Chunk {
+  return { events: JSON.stringify(rows), points: new Int16Array(0) };
+}

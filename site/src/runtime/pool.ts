@@ -1,0 +1,107 @@
+/**
+ * The page's workers: one spare that is ready, and those that are running a program.
+ *
+ * A worker runs one program and is thrown away, so nothing leaks from one run to the next, and
+ * stopping is ending the worker: no shared memory, no special headers, works against any loop.
+ */
+import workerUrl from "../worker/worker.ts?worker&url";
+import { type Boot, type FromWorker, isFromWorker, type ToWorker } from "./messages.ts";
+
+/** One interpreter in its worker. */
+export class Interpreter {
+  readonly ready: Promise<void>;
+  #worker: Worker;
+  #port: MessagePort;
+  #listener: (message: FromWorker) => void = () => {};
+
+  constructor(boot: Boot) {
+    const channel = new MessageChannel();
+    this.#port = channel.port1;
+    this.#worker = startWorker();
+    this.ready = new Promise((resolve, reject) => {
+      this.#listener = (message) => {
+        if (message.kind === "ready") resolve();
+        if (message.kind === "died") reject(new Error(message.message));
+      };
+      this.#worker.onerror = (event) => {
+        event.preventDefault();
+        reject(new Error(event.message || "The worker's script could not be loaded"));
+      };
+    });
+    this.ready.catch(() => {});
+    this.#port.onmessage = (event: MessageEvent<unknown>) => {
+      if (isFromWorker(event.data)) this.#listener(event.data);
+    };
+    this.#worker.postMessage(boot, [channel.port2]);
+  }
+
+  /** From now on messages go to this listener; only one listens at a time. */
+  listen(listener: (message: FromWorker) => void): void {
+    this.#listener = listener;
+  }
+
+  send(message: ToWorker): void {
+    this.#port.postMessage(message);
+  }
+
+  /** End it at once, whatever it is doing. */
+  end(): void {
+    this.#listener = () => {};
+    this.#port.close();
+    this.#worker.terminate();
+  }
+}
+
+export class Pool {
+  #boot: () => Promise<Boot>;
+  #spare: Promise<Interpreter> | null = null;
+
+  /** @param boot gives what a new worker is handed */
+  constructor(boot: () => Promise<Boot>) {
+    this.#boot = boot;
+  }
+
+  /** Have a spare on its way. Resolves when it is ready; rejects if none can be started. */
+  async prepare(): Promise<void> {
+    this.#spare ??= this.start();
+    const spare = this.#spare;
+    try {
+      await spare;
+    } catch (error) {
+      if (this.#spare === spare) this.#spare = null;
+      throw error;
+    }
+  }
+
+  /** The spare, as soon as it is ready. Nobody else gets it; call `prepare` for the next one. */
+  async take(): Promise<Interpreter> {
+    const spare = this.#spare ?? this.start();
+    this.#spare = null;
+    return spare;
+  }
+
+  /** A new interpreter that is nobody's spare. */
+  async start(): Promise<Interpreter> {
+    const interpreter = new Interpreter(await this.#boot());
+    try {
+      await interpreter.ready;
+    } catch (error) {
+      interpreter.end();
+      throw error;
+    }
+    return interpreter;
+  }
+}
+
+/**
+ * A worker whose script is a `blob:` of one line inherits the page's Content-Security-Policy in
+ * every engine; one that is started from a URL would have none on a host that can't send headers.
+ */
+function startWorker(): Worker {
+  const script = `import ${JSON.stringify(new URL(workerUrl, import.meta.url).href)};`;
+  const blobUrl = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
+  const worker = new Worker(blobUrl, { type: "module", name: "Python" });
+  // The worker has taken its script by the time it says anything, and no later.
+  setTimeout(() => URL.revokeObjectURL(blobUrl), 60_000);
+  return worker;
+}

@@ -1,0 +1,206 @@
+/**
+ * One run, from the request to the last event of its trace, however it ends.
+ *
+ * The trace always gets an `end` event: from Python when the program ended by itself or met one of
+ * Python's limits, from here when it was stopped, computed for too long, or broke the interpreter.
+ */
+import { FORMAT, type Header, KINDS, VERSION } from "../trace/events.ts";
+import { Trace } from "../trace/trace.ts";
+import type { Assets } from "./assets.ts";
+import { type Ending, explain } from "./endings.ts";
+import { DEFAULT_LIMITS, type FromWorker, type Limits, type RunRequest } from "./messages.ts";
+import type { Interpreter, Pool } from "./pool.ts";
+
+/** Where a run gets its interpreter. */
+export type Workers = Pick<Pool, "take" | "prepare">;
+
+export interface RunListeners {
+  /** The trace has grown. It may be another one than before: see `Run.trace`. */
+  onChunk?(trace: Trace): void;
+  /** Something to show while waiting, such as "Loading NumPy: 40 % of 3.1 MB". */
+  onNote?(text: string): void;
+}
+
+const RECURSION_LIMIT = 1000;
+/** Deep enough for honest work, shallow enough for every engine's stack, even through C. */
+const CAREFUL_RECURSION_LIMIT = 150;
+
+export class Run {
+  readonly done: Promise<Trace>;
+  readonly #request: RunRequest;
+  readonly #limits: Limits;
+  readonly #listeners: RunListeners;
+  readonly #workers: Workers;
+  readonly #assets: Assets;
+  #trace: Trace;
+  #interpreter: Interpreter | null = null;
+  #end: (ending: Ending) => void = () => {};
+  #stopped = false;
+
+  constructor(request: RunRequest, listeners: RunListeners, workers: Workers, assets: Assets) {
+    this.#request = request;
+    this.#limits = { ...DEFAULT_LIMITS, ...request.limits };
+    this.#listeners = listeners;
+    this.#workers = workers;
+    this.#assets = assets;
+    this.#trace = new Trace(headerOf(request));
+    this.done = this.#carryOut();
+  }
+
+  /**
+   * What the run has left so far. When the interpreter broke on deep recursion the program is run
+   * again with a lower limit, and this is then the new run's trace.
+   */
+  get trace(): Trace {
+    return this.#trace;
+  }
+
+  /** End the run now; what it has left so far is kept. Nothing happens if it has ended. */
+  stop(): void {
+    this.#stopped = true;
+    this.#end({ kind: "stopped" });
+  }
+
+  async #carryOut(): Promise<Trace> {
+    let ending = await this.#attempt(RECURSION_LIMIT);
+    if (ending.kind === "died" && ending.reason === "recursion") {
+      const broken = this.#trace;
+      this.#trace = new Trace(headerOf(this.#request));
+      const second = await this.#attempt(CAREFUL_RECURSION_LIMIT);
+      // Runs are repeatable, so the second meets the same recursion, now with its line.
+      if (second.kind === "finished" && this.#trace.fault?.type === "RecursionError") {
+        ending = second;
+      } else if (second.kind === "stopped") {
+        ending = second;
+      } else {
+        this.#trace = broken;
+      }
+    }
+    if (!this.#trace.complete) this.#trace.append(explain(ending, this.#trace, this.#limits));
+    this.#listeners.onChunk?.(this.#trace);
+    return this.#trace;
+  }
+
+  async #attempt(recursionLimit: number): Promise<Ending> {
+    const ended = new Promise<Ending>((resolve) => {
+      this.#end = resolve;
+    });
+    if (this.#stopped) return { kind: "stopped" };
+    const watch = new Watch(this.#limits.silent_s, () => this.#end({ kind: "silent" }));
+    this.#begin(recursionLimit, watch).catch((error: unknown) =>
+      this.#end({ kind: "died", reason: "internal", message: String(error) }),
+    );
+    const ending = await ended;
+    watch.end();
+    this.#interpreter?.end();
+    this.#interpreter = null;
+    // A failure to have the next one ready shows when it is needed.
+    this.#workers.prepare().catch(() => {});
+    return ending;
+  }
+
+  async #begin(recursionLimit: number, watch: Watch): Promise<void> {
+    const interpreter = await this.#workers.take();
+    if (this.#stopped) {
+      interpreter.end();
+      return;
+    }
+    this.#interpreter = interpreter;
+    await this.#provideModules(interpreter);
+    // Stopped meanwhile: the interpreter has been ended, and must not be spoken to.
+    if (this.#interpreter !== interpreter) return;
+    interpreter.listen((message) => this.#receive(message, watch));
+    const { program, world, seed } = this.#request;
+    interpreter.send({
+      kind: "run",
+      id: 0,
+      program,
+      world,
+      seed,
+      limits: this.#limits,
+      recursionLimit,
+    });
+    watch.begin(() => this.#workers.prepare().catch(() => {}));
+  }
+
+  /** See to it that what the program imports is there before it runs. */
+  async #provideModules(interpreter: Interpreter): Promise<void> {
+    const { missing, hasStdlib } = await new Promise<Extract<FromWorker, { kind: "imports" }>>(
+      (resolve) => {
+        interpreter.listen((message) => {
+          if (message.kind === "imports") resolve(message);
+          if (message.kind === "died") this.#end(message);
+        });
+        interpreter.send({ kind: "inspect", id: 0, program: this.#request.program });
+      },
+    );
+    if (missing.length === 0) return;
+    const note = (text: string) => this.#listeners.onNote?.(text);
+    if (!hasStdlib) {
+      note("Loading Python's standard library");
+      interpreter.send({ kind: "stdlib", bytes: await this.#assets.stdlib() });
+    }
+    if (missing.includes("numpy")) {
+      const bytes = await this.#assets.numpy(note);
+      note("Starting NumPy");
+      interpreter.send({ kind: "package", name: "numpy", bytes });
+    }
+  }
+
+  #receive(message: FromWorker, watch: Watch): void {
+    if (message.kind === "chunk") {
+      const before = this.#trace.duration;
+      try {
+        this.#trace.append({ events: message.events, points: new Int16Array(message.points) });
+      } catch (error) {
+        this.#end({ kind: "died", reason: "internal", message: String(error) });
+        return;
+      }
+      if (this.#trace.duration > before) watch.restart();
+      this.#listeners.onChunk?.(this.#trace);
+    } else if (message.kind === "finished") {
+      this.#end({ kind: "finished" });
+    } else if (message.kind === "died") {
+      this.#end(message);
+    }
+  }
+}
+
+/** A spare is started once a run has lasted this long, so that a short run has the machine. */
+const LONG_RUN_MS = 150;
+
+/** Watches over a run in real time: says when it is a long one, and when it has gone silent. */
+class Watch {
+  readonly #silentMs: number;
+  readonly #onSilent: () => void;
+  #silence: ReturnType<typeof setTimeout> | undefined;
+  #long: ReturnType<typeof setTimeout> | undefined;
+  #begun = false;
+
+  constructor(silentSeconds: number, onSilent: () => void) {
+    this.#silentMs = silentSeconds * 1000;
+    this.#onSilent = onSilent;
+  }
+
+  begin(onLong: () => void): void {
+    this.#begun = true;
+    this.#long = setTimeout(onLong, LONG_RUN_MS);
+    this.restart();
+  }
+
+  restart(): void {
+    clearTimeout(this.#silence);
+    if (this.#begun) this.#silence = setTimeout(this.#onSilent, this.#silentMs);
+  }
+
+  end(): void {
+    this.#begun = false;
+    clearTimeout(this.#silence);
+    clearTimeout(this.#long);
+  }
+}
+
+function headerOf(request: RunRequest): Header {
+  const { program, world, seed } = request;
+  return { format: FORMAT, version: VERSION, program, world, seed, kinds: KINDS };
+}

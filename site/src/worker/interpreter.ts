@@ -1,0 +1,137 @@
+/**
+ * Starts Pyodide from what the page handed over, without fetching anything.
+ * May import `runtime/messages` (types) only.
+ */
+import type { PyodideAPI } from "pyodide";
+import type { Boot } from "../runtime/messages.ts";
+import { bareGlobals } from "./lockdown.ts";
+
+const SITE_PACKAGES = "/lib/python3.14/site-packages";
+const STDLIB_ARCHIVE = "/lib/python314.zip";
+
+/** A program may use this much memory before Python's MemoryError; a tab has little more. */
+const MEMORY_LIMIT_BYTES = 1024 * 1024 * 1024;
+
+/** The end record of a zip archive, alone: an archive with nothing in it. */
+const EMPTY_ZIP = Uint8Array.of(0x50, 0x4b, 5, 6, ...new Array<number>(18).fill(0));
+
+/**
+ * A helper module of 100 bytes that the loader makes for itself when it instantiates the
+ * interpreter. We instantiate a module compiled once by the page, so we make it here:
+ * `Jsv_GetError_import` returns a marker (an i31 reference), `JsvError_Check` recognises it.
+ */
+const ERROR_MARKER = Uint8Array.from(
+  atob(
+    "AGFzbQEAAAABDANfAGAAAW9gAW8BfwMDAgECBygCE0pzdl9HZXRFcnJvcl9pbXBvcnQAAA5Kc3ZFcnJvcl9DaGVjawABChMCBwD7AQD7GwsJACAA+xr7FAAL",
+  ),
+  (character) => character.charCodeAt(0),
+);
+
+/** Pyodide's settings object, as far as we touch it. */
+interface Settings {
+  instantiateWasm?: (
+    imports: WebAssembly.Imports,
+    done: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void,
+  ) => object;
+}
+
+type Factory = (settings: Settings) => Promise<unknown>;
+interface Loader {
+  loadPyodide(config: Record<string, unknown>): Promise<PyodideAPI>;
+}
+
+export async function startInterpreter(boot: Boot): Promise<PyodideAPI> {
+  answerFetchesFrom(boot);
+  const [loader, factory] = await Promise.all([
+    import(/* @vite-ignore */ `${boot.pyodideUrl}pyodide.mjs`) as Promise<Loader>,
+    import(/* @vite-ignore */ `${boot.pyodideUrl}pyodide.asm.mjs`) as Promise<{ default: Factory }>,
+  ]);
+  const errorMarker = await makeErrorMarker();
+  const pyodide = await loader.loadPyodide({
+    indexURL: boot.pyodideUrl,
+    env: { HOME: "/home/pyodide", PYTHONHASHSEED: "0" },
+    jsglobals: bareGlobals(),
+    // Packages are unpacked by hand: the lock file would only be fetched and parsed for nothing.
+    lockFileContents: { info: lockInfo(), packages: {} },
+    ...(boot.snapshot ? { _loadSnapshot: boot.snapshot.arrayBuffer().then(toBytes) } : {}),
+    createPyodideModule: (settings: Settings) => {
+      settings.instantiateWasm = (imports, done) => {
+        Object.assign(imports.env ?? {}, errorMarker);
+        limitMemory(imports);
+        WebAssembly.instantiate(boot.module, imports).then((instance) =>
+          done(instance, boot.module),
+        );
+        return {};
+      };
+      return factory.default(settings);
+    },
+  });
+  for (const [path, text] of Object.entries(boot.sources)) {
+    const target = `${SITE_PACKAGES}/${path}`;
+    pyodide.FS.mkdirTree(target.slice(0, target.lastIndexOf("/")));
+    pyodide.FS.writeFile(target, text);
+  }
+  return pyodide;
+}
+
+/** Put the standard library's archive where the interpreter looks for it. */
+export function installStdlib(pyodide: PyodideAPI, bytes: ArrayBuffer): void {
+  pyodide.FS.writeFile(STDLIB_ARCHIVE, new Uint8Array(bytes));
+  // The snapshot has no directory of the archive, or that of the empty one.
+  pyodide.runPython("import importlib; importlib.invalidate_caches(); del importlib");
+}
+
+export function installWheel(pyodide: PyodideAPI, bytes: ArrayBuffer): void {
+  pyodide.unpackArchive(bytes, "wheel");
+  pyodide.runPython("import importlib; importlib.invalidate_caches(); del importlib");
+}
+
+/** The loader asks for two files that we already have; nothing else gets an answer. */
+function answerFetchesFrom(boot: Boot): void {
+  self.fetch = (input: RequestInfo | URL) => {
+    const url = input instanceof Request ? input.url : String(input);
+    // Instantiated from the compiled module instead: this answer is never looked at.
+    if (url.endsWith("pyodide.asm.wasm")) return new Promise(() => {});
+    if (url.endsWith("python_stdlib.zip")) {
+      return Promise.resolve(new Response(boot.stdlib ?? EMPTY_ZIP));
+    }
+    return Promise.reject(new Error(`A worker fetches nothing: ${url}`));
+  };
+}
+
+async function makeErrorMarker(): Promise<WebAssembly.ModuleImports> {
+  try {
+    const { instance } = await WebAssembly.instantiate(ERROR_MARKER);
+    return instance.exports as WebAssembly.ModuleImports;
+  } catch {
+    // Engines without garbage-collected references (older iOS) take any unique value.
+    const marker = Symbol("error marker");
+    return {
+      Jsv_GetError_import: () => marker,
+      JsvError_Check: (value: unknown) => (value === marker ? 1 : 0),
+    };
+  }
+}
+
+/** Refuse to grow beyond the limit, so that Python raises MemoryError before the tab dies. */
+function limitMemory(imports: WebAssembly.Imports): void {
+  const env = imports.env;
+  const grow = env?.emscripten_resize_heap;
+  if (!env || typeof grow !== "function") return;
+  env.emscripten_resize_heap = (bytes: number) =>
+    bytes >>> 0 > MEMORY_LIMIT_BYTES ? 0 : grow(bytes);
+}
+
+function lockInfo(): Record<string, string> {
+  return {
+    abi_version: "2026_0",
+    arch: "wasm32",
+    platform: "emscripten_5_0_3",
+    version: "314.0.4",
+    python: "3.14.0",
+  };
+}
+
+function toBytes(buffer: ArrayBuffer): Uint8Array {
+  return new Uint8Array(buffer);
+}

@@ -1,0 +1,119 @@
+/**
+ * The worker: one interpreter, one run. Loads Pyodide, then passes messages between the page and
+ * `py/bridge`. May import `runtime/messages` only; has no DOM.
+ *
+ * The port to the page lives in this module's closure, where Python can't reach it: a message on
+ * the worker's own channel is nothing to anybody.
+ */
+import type { PyodideAPI } from "pyodide";
+import type { Boot, FromWorker, ToWorker } from "../runtime/messages.ts";
+import { installStdlib, installWheel, startInterpreter } from "./interpreter.ts";
+import { CLOSE_IMPORTS, lockDown } from "./lockdown.ts";
+
+/** `bridge.session`, as far as it is called from here. */
+interface Session {
+  missing_modules(program: string): { toJs(): string[]; destroy(): void };
+  run(
+    program: string,
+    worldJson: string,
+    seed: number,
+    limitsJson: string,
+    recursionLimit: number,
+    send: (events: string, points: Uint8Array) => void,
+  ): void;
+}
+
+self.onmessage = (event: MessageEvent<Boot>) => {
+  self.onmessage = null;
+  const port = event.ports[0];
+  if (port) new Interpreter(port, event.data);
+};
+
+class Interpreter {
+  #port: MessagePort;
+  #pyodide: PyodideAPI | null = null;
+  #session: Session | null = null;
+  #hasStdlib: boolean;
+  #runId: number | null = null;
+
+  constructor(port: MessagePort, boot: Boot) {
+    this.#port = port;
+    this.#hasStdlib = boot.stdlib !== null;
+    this.#start(boot).catch((error: unknown) => this.#fail(error));
+  }
+
+  async #start(boot: Boot): Promise<void> {
+    const pyodide = await startInterpreter(boot);
+    this.#pyodide = pyodide;
+    this.#session = pyodide.pyimport("bridge.session") as Session;
+    pyodide.runPython(CLOSE_IMPORTS);
+    lockDown();
+    this.#port.onmessage = (event: MessageEvent<ToWorker>) => this.#receive(event.data);
+    this.#send({ kind: "ready" });
+  }
+
+  #receive(message: ToWorker): void {
+    const pyodide = this.#pyodide;
+    const session = this.#session;
+    if (!pyodide || !session) return;
+    try {
+      if (message.kind === "stdlib") {
+        if (!this.#hasStdlib) installStdlib(pyodide, message.bytes);
+        this.#hasStdlib = true;
+      } else if (message.kind === "package") {
+        installWheel(pyodide, message.bytes);
+      } else if (message.kind === "inspect") {
+        const names = session.missing_modules(message.program);
+        const missing = names.toJs();
+        names.destroy();
+        this.#send({ kind: "imports", id: message.id, missing, hasStdlib: this.#hasStdlib });
+      } else {
+        this.#run(session, message);
+      }
+    } catch (error) {
+      this.#fail(error);
+    }
+  }
+
+  #run(session: Session, request: Extract<ToWorker, { kind: "run" }>): void {
+    const { id } = request;
+    this.#runId = id;
+    session.run(
+      request.program,
+      JSON.stringify(request.world),
+      request.seed,
+      JSON.stringify(request.limits),
+      request.recursionLimit,
+      (events, points) => {
+        const buffer = points.slice().buffer;
+        this.#send({ kind: "chunk", id, events, points: buffer }, [buffer]);
+      },
+    );
+    this.#send({ kind: "finished", id });
+    this.#runId = null;
+  }
+
+  /** Tell the page what broke. The interpreter is not used again after this. */
+  #fail(error: unknown): void {
+    const message = error instanceof Error ? `${error.name}: ${error.message}` : String(error);
+    // Python's own exceptions are faults of ours (a learner's come out in the trace); anything
+    // else, such as a stack that overflowed or a failed assertion, has killed the interpreter.
+    const ours = error instanceof Error && error.name === "PythonError";
+    const detail = error instanceof Error && error.stack ? error.stack : message;
+    this.#send({
+      kind: "died",
+      id: this.#runId,
+      reason: ours ? "internal" : stackOverflowed(message) ? "recursion" : "fatal",
+      message: ours ? message : detail,
+    });
+  }
+
+  #send(message: FromWorker, transfer: Transferable[] = []): void {
+    this.#port.postMessage(message, transfer);
+  }
+}
+
+/** The three engines' words for a JavaScript stack that is full. */
+function stackOverflowed(message: string): boolean {
+  return /call stack|recursion/i.test(message);
+}

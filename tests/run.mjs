@@ -1,0 +1,15 @@
+/** npm test: set up what is missing, then every test there is. */
+import { build } from "../site/build/build.mjs";
+import { run } from "../site/build/install.mjs";
+import { check, step } from "./check.mjs";
+
+const start = Date.now();
+await check();
+const { ensureBrowser } = await import("./setup.mjs");
+ensureBrowser();
+console.log("\n== build");
+await build();
+step("browser tests", () =>
+  run("npx", ["playwright", "test", "--config", "tests/playwright.config.ts", "--project=e2e"]),
+);
+console.log(`\nall tests passed in ${Math.round((Date.now() - start) / 1000)} s`);

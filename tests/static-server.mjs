@@ -1,0 +1,41 @@
+/**
+ * The plainest static host there is, for the tests: dist/ below a folder, no special headers, no
+ * compression, no redirects but the one to a folder's slash.
+ *
+ * node tests/static-server.mjs [PORT [FOLDER-OF-THE-ADDRESS]]
+ */
+import { createReadStream, existsSync, statSync } from "node:fs";
+import { createServer } from "node:http";
+import { extname, join } from "node:path";
+import { ROOT } from "../site/build/files.mjs";
+
+const port = Number(process.argv[2] ?? 4174);
+const prefix = process.argv[3] ?? "/some/school/";
+const dist = join(ROOT, "dist");
+
+/** @type {Record<string, string>} */
+const TYPES = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".mjs": "text/javascript",
+  ".css": "text/css",
+  ".json": "application/json",
+  ".svg": "image/svg+xml",
+  ".png": "image/png",
+};
+
+createServer((request, response) => {
+  const { pathname } = new URL(request.url ?? "/", "http://localhost");
+  const path = decodeURIComponent(pathname);
+  const inside = path.startsWith(prefix) && !path.includes("..");
+  let file = join(dist, path.slice(prefix.length));
+  if (inside && existsSync(file) && statSync(file).isDirectory()) {
+    if (!path.endsWith("/")) return response.writeHead(301, { Location: `${path}/` }).end();
+    file = join(file, "index.html");
+  }
+  if (!inside || !existsSync(file)) {
+    return response.writeHead(404, { "Content-Type": "text/plain" }).end("not found");
+  }
+  response.writeHead(200, { "Content-Type": TYPES[extname(file)] ?? "application/octet-stream" });
+  return createReadStream(file).pipe(response);
+}).listen(port, "127.0.0.1", () => console.log(`http://127.0.0.1:${port}${prefix}`));
