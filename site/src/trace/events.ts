@@ -68,6 +68,35 @@ export interface Print {
   text: string;
 }
 
+/** The learner's line that is being carried out from this time on. */
+export interface Line {
+  t: number;
+  line: number;
+}
+
+/** The colour of the light, 0 to 255 each. */
+export interface Led {
+  t: number;
+  red: number;
+  green: number;
+  blue: number;
+}
+
+export interface Beep {
+  t: number;
+  /** Hz */
+  freq: number;
+  /** How long it sounds [ms]. */
+  ms: number;
+}
+
+/** The robot touched something; (x, y) is the point of contact. */
+export interface Bump {
+  t: number;
+  x: number;
+  y: number;
+}
+
 export interface Fault {
   t: number;
   type: string;
@@ -84,6 +113,20 @@ export interface End {
   status: Status;
   message: string;
 }
+
+/** One event of any kind, with the names of KINDS. */
+export type TraceEvent =
+  | ({ kind: "pose" } & Pose)
+  | ({ kind: "scan" } & Scan)
+  | ({ kind: "layer" } & Layer)
+  | ({ kind: "plot" } & Plot)
+  | ({ kind: "print" } & Print)
+  | ({ kind: "line" } & Line)
+  | ({ kind: "led" } & Led)
+  | ({ kind: "beep" } & Beep)
+  | ({ kind: "bump" } & Bump)
+  | ({ kind: "fault" } & Fault)
+  | ({ kind: "end" } & End);
 
 export interface Obstacle {
   x: number;

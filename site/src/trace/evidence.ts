@@ -1,0 +1,187 @@
+/**
+ * Why a cell of a map is what it is: the beams of the run that passed through it and those that
+ * ended in it, whatever the program made of them. From the scans and the true poses they were
+ * taken from. Imports the trace and `frames`.
+ *
+ * The geometry is exact: a cell holds its lower and left edges and not its upper and right ones,
+ * so a beam along an edge or through a corner belongs to one cell only.
+ */
+import { type Cell, direction } from "./frames.ts";
+import type { Trace } from "./trace.ts";
+
+/** Readings this long or longer mark no wall, and a beam counts as free only so far [cm]. */
+export const HIT_LIMIT_CM = 170;
+
+/** One beam of one scan, from the robot to where it ended. */
+export interface Beam {
+  t: number;
+  /** From the robot's centre… */
+  x: number;
+  y: number;
+  /** …to where the reading says the beam stopped. */
+  endX: number;
+  endY: number;
+  /** What the sensor read [cm]. */
+  reading: number;
+  /** True if it ended in the cell that was asked about, false if it passed through. */
+  ended: boolean;
+}
+
+export interface CellEvidence {
+  passed: number;
+  ended: number;
+  /** The last beam that touched the cell, or null if none has. */
+  last: Beam | null;
+}
+
+/** Numbers of a beam in the flat store. */
+const T = 0;
+const X = 1;
+const Y = 2;
+const END_X = 3;
+const END_Y = 4;
+const READING = 5;
+const STRIDE = 6;
+
+export class Evidence {
+  readonly #trace: Trace;
+  /** t, x, y, endX, endY, reading of each beam, in order of time. */
+  #beams = new Float64Array(0);
+  #count = 0;
+  #scansRead = 0;
+  /** The beams that touched the cell asked about last: it is asked again at every frame. */
+  #cell: Cell = { x: 0, y: 0, size: 0 };
+  #touching: { beam: number; passed: number; ended: number }[] = [];
+  #beamsSearched = 0;
+
+  constructor(trace: Trace) {
+    this.#trace = trace;
+  }
+
+  /** What the beams up to a time say about a cell. */
+  of(cell: Cell, t: number): CellEvidence {
+    this.#readNewScans();
+    if (!sameCell(cell, this.#cell)) {
+      this.#cell = cell;
+      this.#touching = [];
+      this.#beamsSearched = 0;
+    }
+    this.#search();
+    const upTo = this.#touching[this.#lastTouchUpTo(t)];
+    if (!upTo) return { passed: 0, ended: 0, last: null };
+    return { passed: upTo.passed, ended: upTo.ended, last: this.#beam(upTo.beam) };
+  }
+
+  #readNewScans(): void {
+    for (; this.#scansRead < this.#trace.scanCount; this.#scansRead++) {
+      const { t, x, y, heading, beams } = this.#trace.scan(this.#scansRead);
+      for (let i = 0; i < beams.length; i += 2) {
+        const [right, up] = direction(heading + (beams[i] as number));
+        const reading = beams[i + 1] as number;
+        this.#push([t, x, y, x + reading * right, y + reading * up, reading]);
+      }
+    }
+  }
+
+  #push(beam: readonly number[]): void {
+    const start = STRIDE * this.#count++;
+    if (start === this.#beams.length) {
+      const wider = new Float64Array(Math.max(STRIDE * 256, 2 * start));
+      wider.set(this.#beams);
+      this.#beams = wider;
+    }
+    this.#beams.set(beam, start);
+  }
+
+  /** Goes through the beams that have come since this cell was last asked about. */
+  #search(): void {
+    const numbers = this.#beams;
+    const before = this.#touching.at(-1);
+    let passed = before?.passed ?? 0;
+    let ended = before?.ended ?? 0;
+    for (; this.#beamsSearched < this.#count; this.#beamsSearched++) {
+      const beam = this.#beamsSearched;
+      const i = STRIDE * beam;
+      const x = numbers[i + X] as number;
+      const y = numbers[i + Y] as number;
+      const endX = numbers[i + END_X] as number;
+      const endY = numbers[i + END_Y] as number;
+      const reading = numbers[i + READING] as number;
+      if (reading < HIT_LIMIT_CM && holds(this.#cell, endX, endY)) {
+        ended += 1;
+      } else {
+        const share = reading > HIT_LIMIT_CM ? HIT_LIMIT_CM / reading : 1;
+        if (!crosses(this.#cell, x, y, share * (endX - x), share * (endY - y))) continue;
+        passed += 1;
+      }
+      this.#touching.push({ beam, passed, ended });
+    }
+  }
+
+  #lastTouchUpTo(t: number): number {
+    let low = 0;
+    let high = this.#touching.length;
+    while (low < high) {
+      const middle = (low + high) >>> 1;
+      const beam = this.#touching[middle]?.beam ?? 0;
+      if ((this.#beams[STRIDE * beam + T] as number) <= t) low = middle + 1;
+      else high = middle;
+    }
+    return low - 1;
+  }
+
+  #beam(index: number): Beam {
+    const [t, x, y, endX, endY, reading] = this.#beams.subarray(
+      STRIDE * index,
+      STRIDE * (index + 1),
+    ) as unknown as [number, number, number, number, number, number];
+    const ended = reading < HIT_LIMIT_CM && holds(this.#cell, endX, endY);
+    return { t, x, y, endX, endY, reading, ended };
+  }
+}
+
+function sameCell(a: Cell, b: Cell): boolean {
+  return a.x === b.x && a.y === b.y && a.size === b.size;
+}
+
+/** Whether a point lies in a cell; the upper and right edges are its neighbours'. */
+export function holds(cell: Cell, x: number, y: number): boolean {
+  return x >= cell.x && x < cell.x + cell.size && y >= cell.y && y < cell.y + cell.size;
+}
+
+/** Whether the segment from (x, y) by (dx, dy), ends included, has a point in a cell. */
+export function crosses(cell: Cell, x: number, y: number, dx: number, dy: number): boolean {
+  const right = cell.x + cell.size;
+  const top = cell.y + cell.size;
+  if (x < cell.x && x + dx < cell.x) return false;
+  if (x >= right && x + dx >= right) return false;
+  if (y < cell.y && y + dy < cell.y) return false;
+  if (y >= top && y + dy >= top) return false;
+  // The part of the segment, in shares of its length, that lies in the cell's column and row.
+  let enter = 0;
+  let leave = 1;
+  let enterOpen = false;
+  let leaveOpen = false;
+  for (const [start, step, low, high] of [
+    [x, dx, cell.x, right],
+    [y, dy, cell.y, top],
+  ] as const) {
+    if (step === 0) continue; // within the cell's column or row: the rejections above saw to it
+    const atLow = (low - start) / step;
+    const atHigh = (high - start) / step;
+    const first = Math.min(atLow, atHigh);
+    const last = Math.max(atLow, atHigh);
+    // The high edge is not the cell's own: going down, the segment enters just after it.
+    const firstOpen = step < 0;
+    const lastOpen = step > 0;
+    if (first > enter || (first === enter && firstOpen)) {
+      enter = first;
+      enterOpen = firstOpen;
+    }
+    if (last < leave || (last === leave && lastOpen)) {
+      leave = last;
+      leaveOpen = lastOpen;
+    }
+  }
+  return enter < leave || (enter === leave && !enterOpen && !leaveOpen);
+}
