@@ -10,7 +10,6 @@ import {
   type Layer,
   type TraceEvent,
   VERSION,
-  type World,
 } from "./events.ts";
 
 /** A trace that is broken, too large, or not a trace; says which row and what is wrong. */
@@ -162,11 +161,6 @@ export function decodeRows(events: string, where: string): unknown[] {
   }
   if (!Array.isArray(rows)) throw new TraceError(`${where}: should be a list of events`);
   return rows;
-}
-
-/** The header of a new run. */
-export function headerFor(program: string, world: World, seed: number): Header {
-  return { format: FORMAT, version: VERSION, program, world, seed, kinds: KINDS };
 }
 
 /** The header of a stored run, checked. */
