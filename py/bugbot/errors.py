@@ -1,0 +1,91 @@
+"""The errors a learner may see, and how they are worded.
+
+May import: the standard library only.
+
+    BugbotError               every error of ours; `except BugbotError` catches them all
+    ├── WrongTypeError        (TypeError)    an argument of the wrong kind
+    ├── WrongValueError       (ValueError)   the right kind, but out of range
+    ├── NoRobotError          (RuntimeError) a robot's call outside a run
+    ├── NoInputError          (EOFError)     input() in a place without a keyboard
+    └── WorldError            (ValueError)   a world that is unknown or broken
+
+The wording: name the call as it is written in the help, say what it wants, say
+what it got: "wait(seconds) wants a number of 0 or more; it got 'a'". No blame,
+no jargon, no full stop at the end of a single sentence. What may lie behind the
+mistake is not said here: that is the work of `bugbot.run.slips`.
+"""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from reprlib import Repr
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+__all__ = [
+    "BugbotError",
+    "NoInputError",
+    "NoRobotError",
+    "WorldError",
+    "WrongTypeError",
+    "WrongValueError",
+    "got",
+    "nearest",
+]
+
+
+class BugbotError(Exception):
+    """Every error that bugbot raises on purpose."""
+
+
+class WrongTypeError(BugbotError, TypeError):
+    """An argument is of a kind the call can't use."""
+
+
+class WrongValueError(BugbotError, ValueError):
+    """An argument is of the right kind, but its value makes no sense."""
+
+
+class NoRobotError(BugbotError, RuntimeError):
+    """A robot's call was made while no run was going on."""
+
+
+class NoInputError(BugbotError, EOFError):
+    """The program asked for typed input, and nobody can type any."""
+
+
+class WorldError(BugbotError, ValueError):
+    """A world is unknown, or its file is broken; says which field and what to do."""
+
+
+_short = Repr()
+_short.maxlevel = 2
+_short.maxstring = _short.maxother = _short.maxlong = 48
+
+
+def got(value: object) -> str:
+    """A value as an error message shows it: short, and never an error itself.
+
+    >>> got("abc"), got(print), got(None)
+    ("'abc'", 'the function print', 'None')
+    """
+    name = getattr(value, "__name__", None)
+    if callable(value) and isinstance(name, str):
+        return f"the {'class' if isinstance(value, type) else 'function'} {name}"
+    try:
+        return _short.repr(value)
+    except Exception:
+        return f"something of type {type(value).__name__}"
+
+
+def nearest(word: str, known: Iterable[str]) -> str | None:
+    """The known word most like this one, or None if none is.
+
+    >>> nearest("foward", ["forward", "backward"])
+    'forward'
+    """
+    folded = {each.lower(): each for each in known}
+    found = get_close_matches(word.lower(), folded, n=1, cutoff=0.7)
+    return folded[found[0]] if found else None

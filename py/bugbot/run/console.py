@@ -1,0 +1,77 @@
+"""What stands in for the screen and the keyboard while a program runs.
+
+May import: the standard library, `bugbot.errors`, `bugbot.trace`, `bugbot.run.limits`.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable
+from typing import Any, NoReturn
+
+from bugbot.errors import NoInputError
+from bugbot.run.limits import Meter
+from bugbot.trace import Trace
+
+__all__ = ["NoKeyboard", "Screen", "no_input"]
+
+_NO_INPUT = (
+    "a program can't ask for typed input while the robot runs: put the value in the program, "
+    "for example name = 'Ada'"
+)
+
+
+def no_input(*_prompt: object) -> NoReturn:
+    """What input() is during a run."""
+    raise NoInputError(f"input() has nobody to answer it: {_NO_INPUT}")
+
+
+class NoKeyboard(io.TextIOBase):
+    """sys.stdin during a run: reading from it is refused as input() is."""
+
+    def readable(self) -> bool:
+        """It may be asked; it will not answer."""
+        return True
+
+    def read(self, size: int | None = -1, /) -> NoReturn:
+        """Refuse."""
+        raise NoInputError(f"sys.stdin has nobody to answer it: {_NO_INPUT}")
+
+    def readline(self, size: int | None = -1, /) -> NoReturn:  # type: ignore[override]
+        """Refuse."""
+        self.read()
+
+    __next__ = readline  # for line in sys.stdin
+
+    def close(self) -> None:
+        """Stay open: Python's own exit() closes sys.stdin first."""
+
+
+class Screen(io.TextIOBase):
+    """sys.stdout or sys.stderr during a run: everything written becomes print events."""
+
+    encoding = "utf-8"
+    errors = "replace"
+
+    def __init__(self, stream: str, trace: Trace, now: Callable[[], float], meter: Meter) -> None:
+        self.name = stream
+        self._write = trace.write
+        self._now = now
+        self._meter = meter
+
+    def writable(self) -> bool:
+        """It can be written to."""
+        return True
+
+    def write(self, text: Any, /) -> int:
+        """Record the text at the present simulated time; ends the run past the limit."""
+        if not isinstance(text, str):
+            raise TypeError(f"write() argument must be str, not {type(text).__name__}")
+        if not text.isascii():
+            # Half of a surrogate pair can't be stored as UTF-8, nor shown.
+            text = text.encode("utf-8", "replace").decode("utf-8")
+        part = self._meter.printing(text)
+        if part:
+            self._write(self._now(), self.name, part)
+        self._meter.check_printing()
+        return len(text)
