@@ -1,0 +1,45 @@
+/**
+ * The one place that wires the rooms together: what the build knows, Python, and the elements.
+ */
+import { api, readyPrograms, worlds } from "virtual:bugbot";
+import { showHome } from "./page/home.ts";
+import { showThemeSwitch } from "./page/theme-switch.ts";
+
+for (const place of document.querySelectorAll<HTMLElement>(".theme-switch")) showThemeSwitch(place);
+
+type World = (typeof worlds)[number];
+
+const worldsInOrder = [...worlds].sort((a, b) => placeOf(a) - placeOf(b));
+showHome(worldsInOrder);
+
+// The editor is the largest part of the site: pages without a lab do without it.
+if (document.querySelector("bugbot-lab")) await startLabs();
+
+async function startLabs(): Promise<void> {
+  const [{ BugbotLab, defineLab }, { showLabPage }, { ProgramStore }, { Runtime }] =
+    await Promise.all([
+      import("./page/lab.ts"),
+      import("./page/lab-page.ts"),
+      import("./page/storage.ts"),
+      import("./runtime/client.ts"),
+    ]);
+  const runtime = new Runtime(warmUp());
+  const store = new ProgramStore();
+  defineLab({ runtime, worlds: worldsInOrder, readyPrograms, calls: api, store });
+  const lab = document.querySelector(".lab-page bugbot-lab");
+  if (lab instanceof BugbotLab) showLabPage(lab, worldsInOrder);
+  runtime.warm();
+}
+
+/** Worlds come in the order of their programs: the order to meet them in. */
+function placeOf(world: World): number {
+  const at = readyPrograms.findIndex((program) => program.world === world.name);
+  return at < 0 ? readyPrograms.length : at;
+}
+
+/** A real program to run out of sight, so that the first Run is a fast one. */
+function warmUp(): { program: string; world: World } | null {
+  const ready = readyPrograms[0];
+  const world = worlds.find(({ name }) => name === ready?.world);
+  return ready && world ? { program: ready.source, world } : null;
+}

@@ -1,0 +1,312 @@
+/**
+ * <bugbot-lab>: a program, a robot on its mat, and everything to run, watch and mend it.
+ *
+ * Attributes: `world` and `seed`; `program`, the text to start from; `label`, the lab's title;
+ * `pickers`, to let the world and the noise be chosen. Properties: `world`, `seed`, and `program`,
+ * the text in the editor now. `await run()` gives the outcome; `stop()`; `seek(seconds)`.
+ * Fires `place-change` when the world or the seed has been chosen here.
+ *
+ * May import every room of the site but `worker`.
+ */
+import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { Player } from "../player/player.ts";
+import type { Outcome, World } from "../trace/events.ts";
+import { outcomeOf } from "../trace/outcome.ts";
+import type { Trace } from "../trace/trace.ts";
+import { icons } from "../ui/icons.ts";
+import { editorWords, labWords, pickerWords, starterProgram, statusWords } from "../ui/strings.ts";
+import { FIRST_SEED } from "./address.ts";
+import { applyCodeSize, changeCodeSize } from "./code-size.ts";
+import { LabProgram } from "./lab-program.ts";
+import { emptyTrace, LabStage } from "./lab-stage.ts";
+import { pickers } from "./pickers.ts";
+import { problem } from "./problem.ts";
+import { Runner } from "./runner.ts";
+import type { Services } from "./services.ts";
+import { type Note, status } from "./status.ts";
+import type { LabTransport } from "./transport.ts";
+import "./transport.ts";
+
+export class BugbotLab extends LitElement {
+  static override properties = {
+    world: { type: String, reflect: true },
+    seed: { type: Number, reflect: true },
+    label: { type: String },
+    pickers: { type: Boolean },
+  };
+
+  declare world: string;
+  declare seed: number;
+  declare label: string;
+  declare pickers: boolean;
+
+  readonly #services: Services;
+  readonly #runner: Runner;
+  readonly #player: Player;
+  #program: LabProgram | null = null;
+  #stage: LabStage | null = null;
+  /** Set before there is an editor to hold it. */
+  #programToBe: string | null = null;
+  #note: Note | null = null;
+  readonly #redraw = (): void => this.requestUpdate();
+  readonly #onRuntime = (): void => this.#runner.runtimeChanged();
+  readonly #onLeave = (): void => this.#program?.flush();
+
+  constructor(services: Services) {
+    super();
+    this.#services = services;
+    this.world = services.worlds[0]?.name ?? "";
+    this.seed = FIRST_SEED;
+    this.label = "";
+    this.pickers = false;
+    this.#runner = new Runner(services.runtime, {
+      onTrace: (trace) => this.#show(trace),
+      onGrown: () => this.#player.grown(),
+      onEnd: (trace) => this.#ended(trace),
+    });
+    this.#player = new Player(emptyTrace(this.#world), (callback) =>
+      requestAnimationFrame(callback),
+    );
+    this.#runner.addEventListener("change", this.#redraw);
+    this.#player.addEventListener("change", () => this.#follow());
+  }
+
+  /** In the page itself, not in a shadow: one style sheet, and ids that can be referred to. */
+  override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  // -- what a page or a person can ask of a lab --------------------------------
+
+  /** The text in the editor. Setting it is one step that undo takes back. */
+  get program(): string {
+    return this.#program?.text ?? this.#programToBe ?? this.#starter;
+  }
+
+  set program(text: string) {
+    if (this.#program) this.#program.replace(text);
+    else this.#programToBe = text;
+  }
+
+  /** Runs the program and resolves to the outcome, however the run ends. */
+  async run(): Promise<Outcome> {
+    await this.updateComplete;
+    this.#note = null;
+    this.#program?.beginRun();
+    this.#stage?.begin(this.#runner.trace);
+    const { program, seed } = this;
+    return outcomeOf(await this.#runner.run({ program, world: this.#world, seed }));
+  }
+
+  /** Ends the run now; what it has shown is kept. */
+  stop(): void {
+    this.#runner.stop();
+  }
+
+  /** Shows the run at a moment [s]. */
+  seek(seconds: number): void {
+    this.#player.seek(seconds);
+  }
+
+  // -- the element's life --------------------------------------------------------
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    applyCodeSize(this);
+    this.#services.runtime.addEventListener("change", this.#onRuntime);
+    addEventListener("pagehide", this.#onLeave);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#services.runtime.removeEventListener("change", this.#onRuntime);
+    removeEventListener("pagehide", this.#onLeave);
+    this.#program?.flush();
+    this.#runner.stop();
+  }
+
+  override firstUpdated(): void {
+    const { calls, store } = this.#services;
+    this.#stage = new LabStage(this.#part(".lab-stage"), this.#part(".lab-console"), this.#player);
+    this.#program = new LabProgram({
+      host: this.#part(".lab-editor"),
+      describedBy: this.#hintId,
+      calls,
+      store,
+      onEdit: () => this.#say(null),
+      onRun: () => void this.run(),
+      onRefused: () => this.#say({ text: statusWords.notKept }),
+    });
+    this.#open();
+    if (this.#programToBe !== null) this.#program.replace(this.#programToBe);
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    const before = changed.get("world");
+    if (before === undefined || !this.#program) return;
+    const text = this.#program.text;
+    this.#runner.clear();
+    this.#open();
+    this.#offer(before, text);
+  }
+
+  #part(selector: string): HTMLElement {
+    const part = this.querySelector<HTMLElement>(selector);
+    if (!part) throw new Error(`<bugbot-lab> has no part ${selector}`);
+    return part;
+  }
+
+  get #world(): World {
+    const { worlds } = this.#services;
+    const world = worlds.find(({ name }) => name === this.world);
+    if (world) return world;
+    const names = worlds.map(({ name }) => name).join(", ");
+    throw new RangeError(`<bugbot-lab>: no world "${this.world}". There are: ${names}`);
+  }
+
+  get #starter(): string {
+    const ready = this.#services.readyPrograms.find(({ world }) => world === this.world);
+    return this.getAttribute("program") ?? ready?.source ?? starterProgram;
+  }
+
+  get #hintId(): string {
+    return `${this.id || "lab"}-hint`;
+  }
+
+  // -- program and world -----------------------------------------------------------
+
+  /** Shows this world, empty, and the program that belongs to it here. */
+  #open(): void {
+    const page = location.pathname.replace(/index\.html$/, "");
+    const own = this.#program?.open(`${page}#${this.id}:${this.world}`, this.#starter);
+    this.#player.show(emptyTrace(this.#world));
+    this.#say(own ? { text: statusWords.restored } : null);
+  }
+
+  /** After a change of world: the program that was here may come along. */
+  #offer(before: string, text: string): void {
+    const title = this.#services.worlds.find(({ name }) => name === before)?.title ?? before;
+    if (text === this.#program?.text) return;
+    this.#say({
+      text: pickerWords.ownProgram(this.#world.title),
+      action: { label: pickerWords.bring(title), act: () => this.#program?.replace(text) },
+    });
+  }
+
+  #reset(): void {
+    const before = this.#program?.reset();
+    if (before === undefined) return;
+    const undo = { label: labWords.undo, act: () => this.#program?.replace(before) };
+    const changed = before !== this.#program?.text;
+    this.#say({ text: statusWords.reset, ...(changed ? { action: undo } : {}) });
+  }
+
+  #choose(place: { world?: string; seed?: number }): void {
+    if (place.world !== undefined) this.world = place.world;
+    if (place.seed !== undefined) this.seed = place.seed;
+    this.#say(null);
+    this.dispatchEvent(new Event("place-change"));
+  }
+
+  #say(note: Note | null): void {
+    this.#note = note;
+    this.requestUpdate();
+  }
+
+  // -- runs ------------------------------------------------------------------------
+
+  #show(trace: Trace): void {
+    this.#player.show(trace);
+    this.querySelector<LabTransport>("lab-transport")?.begin();
+  }
+
+  #ended(trace: Trace): void {
+    const { end, fault } = trace;
+    if (fault?.line) this.#program?.showFault(fault.line, fault.message);
+    // Where it went wrong or was stopped is what one wants to see, not how it began.
+    if (end?.status !== "finished") this.#player.toEnd();
+  }
+
+  #follow(): void {
+    const { trace, time, duration } = this.#player;
+    const over = trace.complete && time >= duration;
+    this.#program?.follow(over ? null : trace.lineAt(time));
+  }
+
+  async #stopAndReturn(): Promise<void> {
+    this.stop();
+    // The Stop button goes out with the run; the focus must not go with it.
+    this.querySelector<HTMLElement>(".lab-bar .go")?.focus();
+  }
+
+  // -- what is drawn -----------------------------------------------------------------
+
+  override render(): TemplateResult {
+    const { phase, trace } = this.#runner;
+    const ended = phase === "ended";
+    const busy = phase === "running" || phase === "waiting";
+    const fault = ended ? (trace?.fault ?? null) : null;
+    return html`<section class="lab" aria-label=${this.label || labWords.untitled}>
+      <div class="lab-bar">
+        ${this.label ? html`<h2 class="title">${this.label}</h2>` : nothing}
+        ${this.pickers ? this.#pickers() : nothing}
+        <button type="button" @click=${() => this.#reset()}>${labWords.reset}</button>
+        <button type="button" ?disabled=${!busy} @click=${() => this.#stopAndReturn()}>
+          ${icons.stop}${labWords.stop}
+        </button>
+        <button type="button" class="go" @click=${() => void this.run()}>
+          ${icons.play}${labWords.run}
+        </button>
+      </div>
+      ${status({
+        phase,
+        runtime: this.#services.runtime,
+        reached: trace?.duration ?? 0,
+        end: ended ? (trace?.end ?? null) : null,
+        fault,
+        note: this.#note,
+        runNote: this.#runner.note,
+        onRetry: () => this.#services.runtime.warm(),
+      })}
+      <div class="lab-columns">
+        <div class="lab-program">
+          <div class="lab-editor"></div>
+          <div class="lab-tools">
+            <p id=${this.#hintId}>${editorWords.hint}</p>
+            <button type="button" aria-label=${editorWords.smaller}
+              @click=${() => changeCodeSize(this, -1)}>A−</button>
+            <button type="button" aria-label=${editorWords.larger}
+              @click=${() => changeCodeSize(this, 1)}>A+</button>
+          </div>
+          ${problem(fault, (line) => this.#program?.goToLine(line))}
+          <div class="lab-console"></div>
+        </div>
+        <div class="lab-stage"></div>
+      </div>
+      <lab-transport .player=${this.#player}></lab-transport>
+    </section>`;
+  }
+
+  #pickers(): TemplateResult {
+    return pickers({
+      worlds: this.#services.worlds,
+      world: this.world,
+      seed: this.seed,
+      onWorld: (world) => this.#choose({ world }),
+      onSeed: (seed) => this.#choose({ seed }),
+      onBadSeed: (text) => this.#say({ text }),
+    });
+  }
+}
+
+/** Makes the element known, with what all labs of the page share. */
+export function defineLab(services: Services): void {
+  customElements.define(
+    "bugbot-lab",
+    class extends BugbotLab {
+      constructor() {
+        super(services);
+      }
+    },
+  );
+}

@@ -1,0 +1,103 @@
+/**
+ * The line under a lab's title: what is going on, how far it has got, and what can be done.
+ *
+ * It is always there, so nothing moves when Python arrives or a run ends. What is read out by a
+ * screen reader (role status) changes only when something has happened, never while a number counts.
+ * May import `trace` and `ui`.
+ */
+import { html, nothing, type TemplateResult } from "lit";
+import type { End, Fault } from "../trace/events.ts";
+import { labWords, statusWords } from "../ui/strings.ts";
+
+/** Where the lab's own program is. Python's start-up is `runtime`'s business. */
+export type Phase = "idle" | "waiting" | "running" | "ended";
+
+export interface StatusInput {
+  phase: Phase;
+  runtime: {
+    state: "cold" | "loading" | "ready" | "failed";
+    progress: { loaded: number; total: number; label: string };
+    error: string | null;
+  };
+  /** How far the running program has got in simulated time [s]. */
+  reached: number;
+  end: End | null;
+  fault: Fault | null;
+  /** Something to say besides, with what can be done about it; goes with the next run or edit. */
+  note: Note | null;
+  /** What the runtime says of a run that is held up ("Loading NumPy… 40 %"). */
+  runNote: string | null;
+  onRetry(): void;
+}
+
+export interface Note {
+  text: string;
+  action?: { label: string; act(): void };
+}
+
+type Tone = "quiet" | "busy" | "good" | "bad";
+
+export function status(input: StatusInput): TemplateResult {
+  const { tone, text } = say(input);
+  const { progress } = input.runtime;
+  const starting = input.runtime.state === "loading";
+  return html`<div class="lab-status" data-tone=${tone}>
+    <p role="status">
+      <span class="dot" aria-hidden="true"></span><span>${text}</span>
+      ${input.note ? html`<span class="note">${input.note.text}</span>` : nothing}
+    </p>
+    ${
+      input.note?.action
+        ? html`<button type="button" @click=${input.note.action.act}>
+            ${input.note.action.label}
+          </button>`
+        : nothing
+    }
+    ${
+      input.runtime.state === "failed"
+        ? html`<button type="button" @click=${input.onRetry}>${labWords.retry}</button>`
+        : nothing
+    }
+    <span class="count">${count(input)}</span>
+    ${
+      starting
+        ? html`<progress
+            aria-label=${statusWords.starting}
+            max=${progress.total || 1}
+            .value=${progress.loaded}
+          ></progress>`
+        : nothing
+    }
+  </div>`;
+}
+
+function say({ phase, runtime, end, fault, runNote }: StatusInput): { tone: Tone; text: string } {
+  if (runtime.state === "failed") {
+    return { tone: "bad", text: statusWords.failed(runtime.error ?? "") };
+  }
+  if (phase === "waiting") return { tone: "busy", text: statusWords.waiting };
+  if (phase === "running") return { tone: "busy", text: runNote ?? statusWords.running };
+  if (end) return ended(end, fault);
+  if (runtime.state === "loading") return { tone: "busy", text: statusWords.starting };
+  const text = runtime.state === "ready" ? statusWords.ready : statusWords.cold;
+  return { tone: "quiet", text };
+}
+
+function ended(end: End, fault: Fault | null): { tone: Tone; text: string } {
+  switch (end.status) {
+    case "finished":
+      return { tone: "good", text: statusWords.finished(end.t) };
+    case "fault":
+      return { tone: "bad", text: statusWords.fault(fault?.line ?? null) };
+    case "stopped":
+      return { tone: "quiet", text: statusWords.stopped(end.t) };
+    case "limit":
+      return { tone: "bad", text: end.message };
+  }
+}
+
+function count({ phase, runtime, reached }: StatusInput): string {
+  if (phase === "running") return statusWords.reached(reached);
+  const { loaded, total } = runtime.progress;
+  return runtime.state === "loading" && total > 0 ? statusWords.bytes(loaded, total) : "";
+}

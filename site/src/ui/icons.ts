@@ -1,0 +1,19 @@
+/**
+ * The few pictures on buttons. Drawn here, because the arrows that fonts have look different on
+ * every device and turn into coloured emoji on some. Imports nothing of ours.
+ */
+import { type SVGTemplateResult, svg } from "lit";
+
+const icon = (path: string): SVGTemplateResult =>
+  svg`<svg class="icon" viewBox="0 0 16 16" aria-hidden="true"><path d=${path} /></svg>`;
+
+export const icons = {
+  play: icon("M4 2.5v11l9-5.5z"),
+  pause: icon("M3.5 2.5h3v11h-3zM9.5 2.5h3v11h-3z"),
+  step: icon("M3 2.5v11l7-5.5zM11 2.5h2v11h-2z"),
+  back: icon("M13 2.5v11L6 8zM3 2.5h2v11H3z"),
+  stop: icon("M3 3h10v10H3z"),
+  dice: icon(
+    "M3 1.5h10A1.5 1.5 0 0 1 14.5 3v10a1.5 1.5 0 0 1-1.5 1.5H3A1.5 1.5 0 0 1 1.5 13V3A1.5 1.5 0 0 1 3 1.5zm0 1.3v10.4h10V2.8zM5.2 4a1.2 1.2 0 1 1 0 2.4 1.2 1.2 0 0 1 0-2.4zM8 6.8a1.2 1.2 0 1 1 0 2.4 1.2 1.2 0 0 1 0-2.4zm2.8 2.8a1.2 1.2 0 1 1 0 2.4 1.2 1.2 0 0 1 0-2.4z",
+  ),
+};

@@ -1,0 +1,111 @@
+/**
+ * Every word of the interface that is not in a page's own HTML, once, in the order one meets them.
+ * Imports nothing of ours but `dom` (for the forms of numbers).
+ *
+ * The voice: say what happened, then what to do; no blame, no exclamation marks.
+ */
+import { megabytes, seconds } from "./dom.ts";
+
+export const editorWords = {
+  name: "Program",
+  hint: "Ctrl+Enter runs. Esc, then Tab, leaves the editor.",
+  smaller: "Smaller text",
+  larger: "Larger text",
+  textSize: "Text size",
+};
+
+export const syntaxWords = {
+  string: (quote: string) => `This text starts with ${quote} but never ends with ${quote}.`,
+  stray: (sign: string) => `This ${sign} closes nothing: no bracket is open here.`,
+  mismatch: (sign: string, opener: string) =>
+    `This ${sign} does not match the ${opener} before it.`,
+  unclosed: (sign: string) => `This ${sign} is never closed.`,
+  print: "print needs brackets: print(…).",
+  compare: "To ask whether two values are equal, write == with two signs.",
+  orphan: (word: string) =>
+    `This ${word} belongs to nothing above it. Is it indented as far as its partner?`,
+  empty:
+    "This line ends with a colon, so the lines that belong to it must follow, indented by four spaces.",
+  colon: (word: string) => `A line that begins with ${word} ends with a colon (:).`,
+  unreadable: "Python cannot read this line from here on.",
+};
+
+export const labWords = {
+  untitled: "Lab",
+  run: "Run",
+  stop: "Stop",
+  reset: "Reset program",
+  undo: "Undo",
+  retry: "Try again",
+  lines: (n: number) => (n === 1 ? "1 line" : `${n} lines`),
+};
+
+export const statusWords = {
+  cold: "Press Run to start Python and the robot.",
+  starting: "Python is starting…",
+  bytes: (loaded: number, total: number) => `${megabytes(loaded)} of ${megabytes(total)} MB`,
+  ready: "Ready. Press Run.",
+  waiting: "Python is still starting. Your program runs as soon as it is up.",
+  running: "Running…",
+  reached: (t: number) => `${seconds(t)} so far`,
+  finished: (t: number) => `Finished at ${seconds(t)}.`,
+  stopped: (t: number) => `You stopped the program at ${seconds(t)}.`,
+  fault: (line: number | null) =>
+    line === null
+      ? "The program ended with an error."
+      : `An error on line ${line} ended the program.`,
+  failed: (why: string) => `Python could not start: ${why}`,
+  reset: "The program is as it was at the start.",
+  restored: "Your program is back.",
+  notKept:
+    "This browser does not let the site keep your program, so copy it elsewhere before you leave.",
+};
+
+export const problemWords = {
+  region: "What went wrong",
+  line: (n: number) => `line ${n}`,
+  at: "Go to",
+  cause: "Likely cause:",
+  details: (type: string) => `Python calls this a ${type}; show all it says`,
+};
+
+export const transportWords = {
+  region: "Playback",
+  play: "Play",
+  pause: "Pause",
+  back: "Step back",
+  step: "Step",
+  time: "Time",
+  speed: "Speed",
+  times: (speed: number) => `${speed}×`,
+  toEnd: "to the end",
+};
+
+export const pickerWords = {
+  world: "World",
+  seed: "Seed",
+  seedHelp: "The same seed gives the same sensor noise, so the same run.",
+  newNoise: "New noise",
+  ownProgram: (world: string) => `This is the program kept for ${world}.`,
+  bring: (world: string) => `Use the one from ${world} here`,
+  badSeed: (text: string, most: number, used: number) =>
+    `The seed “${text}” is not a whole number from 0 to ${most}. Seed ${used} is used.`,
+  unknownWorld: (name: string, used: string) =>
+    `There is no world called “${name}”, so this is ${used}. The worlds are:`,
+};
+
+export const themeWords = {
+  label: "Colours",
+  system: "Device",
+  light: "Light",
+  dark: "Dark",
+};
+
+/** What a lab starts from where nobody has written a program for its world. */
+export const starterProgram = `from bugbot import *
+
+forward(50, 20)              # per cent of full speed, cm
+
+for angle, cm in scan():     # eight beams, left to right
+    print(f"{angle:6.1f} degrees: {cm:5.1f} cm")
+`;
