@@ -10,7 +10,7 @@ import inspect
 from typing import Any
 
 import bugbot
-from bugbot.worlds import load_world, world_names
+from bugbot import worlds
 
 __all__ = ["describe"]
 
@@ -21,8 +21,8 @@ def describe() -> dict[str, Any]:
     Returns {"worlds": [world, …], "api": [{"name", "signature", "summary", "doc"}, …]}.
     """
     return {
-        "worlds": [load_world(name).to_json() for name in world_names()],
-        "api": [_call(name) for name in bugbot.__all__],
+        "worlds": [worlds.load(name).to_dict() for name in worlds.names()],
+        "api": [_call(name) for name in bugbot.__all__ if inspect.isroutine(getattr(bugbot, name))],
     }
 
 

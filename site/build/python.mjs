@@ -51,8 +51,7 @@ export async function preparePython(log = (_text) => {}) {
 
   log("preparing Python for the browser: interpreter, snapshot, NumPy");
   const wheel = await numpyWheel(log);
-  const packages = PACKAGES.filter((name) => `${name}/__init__.py` in sources);
-  const snapshot = await makeSnapshot(sources, packages);
+  const snapshot = await makeSnapshot(sources);
   const course = JSON.parse(await runInPyodide(sources, DESCRIBE));
 
   const manifest = {

@@ -38,15 +38,14 @@ const STANDARD_MODULES = [
 
 /**
  * @param {Record<string, string>} sources path below site-packages -> text
- * @param {string[]} packages names of our packages to import
  * @returns {Promise<Uint8Array>} the memory, without the zeros at its end
  */
-export async function makeSnapshot(sources, packages) {
+export async function makeSnapshot(sources) {
   const pyodide = /** @type {SnapshotMaker} */ (
     await loadPyodide({ _makeSnapshot: true, env: environment() })
   );
   install(pyodide, sources);
-  const modules = STANDARD_MODULES.concat(packages);
+  const modules = STANDARD_MODULES.concat(modulesOf(sources));
   pyodide.runPython(`
 import importlib
 importlib.invalidate_caches()
@@ -57,6 +56,20 @@ del _name, importlib
   zeroFreedMemory(pyodide);
   const memory = pyodide.makeMemorySnapshot();
   return trimZeros(memory);
+}
+
+/** Not in the snapshot: NumPy can't be in one, and the command line is not for the browser. */
+const LEFT_OUT = /^import numpy|^import argparse/m;
+
+/**
+ * Our modules, as names to import.
+ * @param {Record<string, string>} sources
+ */
+function modulesOf(sources) {
+  return Object.entries(sources)
+    .filter(([path]) => path.endsWith(".py") && !path.includes("__main__"))
+    .filter(([, text]) => !LEFT_OUT.test(text))
+    .map(([path]) => path.replace(/(\/__init__)?\.py$/, "").replaceAll("/", "."));
 }
 
 /**

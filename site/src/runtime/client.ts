@@ -69,6 +69,12 @@ export class Runtime extends EventTarget {
     return new Run(request, listeners, this.#pool, this.#assets);
   }
 
+  /** Resolves when a run would start at once; rejects if Python can't be started. */
+  async ready(): Promise<void> {
+    this.warm();
+    await this.#pool?.prepare();
+  }
+
   async #start(): Promise<void> {
     const assets = new Assets();
     const pool = new Pool(() => assets.boot());

@@ -1,20 +1,19 @@
 /** The last events of a run that did not end by itself, in words for the learner. */
 import type { Chunk, Status } from "../trace/events.ts";
 import type { Trace } from "../trace/trace.ts";
-import type { Limits } from "./messages.ts";
+import type { DeathReason, Limits } from "./messages.ts";
 
 export type Ending =
   | { kind: "finished" }
   | { kind: "stopped" }
   /** Computed for too long with no simulated time passing. */
   | { kind: "silent" }
-  | { kind: "died"; reason: "recursion" | "fatal" | "internal"; message: string };
+  | { kind: "died"; reason: DeathReason; line: number | null; message: string };
 
 /** The events that complete a trace whose program could not end it itself. */
 export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
   const t = trace.duration;
   const at = `${t.toFixed(1)} s`;
-  const line = trace.lineAt(t);
   switch (ending.kind) {
     case "stopped":
       return end(t, "stopped", `Stopped at ${at}.`);
@@ -33,7 +32,9 @@ export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
         null,
         "",
       );
-    case "died":
+    case "died": {
+      // The line that last let time pass is the best guess when the interpreter said nothing.
+      const line = ending.line ?? trace.lineAt(t);
       if (ending.reason === "recursion") {
         return fault(
           t,
@@ -59,6 +60,7 @@ export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
         null,
         ending.message,
       );
+    }
   }
 }
 

@@ -61,6 +61,8 @@ export type ToWorker =
   | { kind: "stdlib"; bytes: ArrayBuffer }
   | { kind: "package"; name: string; bytes: ArrayBuffer };
 
+export type DeathReason = "recursion" | "fatal" | "internal";
+
 export type FromWorker =
   /** The interpreter is up and answers the messages above. */
   | { kind: "ready" }
@@ -71,12 +73,14 @@ export type FromWorker =
   | { kind: "finished"; id: number }
   /**
    * The interpreter can't be used any more: `recursion`, calls went deeper than the engine allows;
-   * `fatal`, it broke down; `internal`, a fault of ours. `message` has all that is known.
+   * `fatal`, it broke down; `internal`, a fault of ours. `line` is the program's, if it is known;
+   * `message` has all that is known.
    */
   | {
       kind: "died";
       id: number | null;
-      reason: "recursion" | "fatal" | "internal";
+      reason: DeathReason;
+      line: number | null;
       message: string;
     };
 
@@ -103,6 +107,7 @@ export function isFromWorker(value: unknown): value is FromWorker {
       return (
         (hasId || message.id === null) &&
         typeof message.message === "string" &&
+        (typeof message.line === "number" || message.line === null) &&
         ["recursion", "fatal", "internal"].includes(message.reason as string)
       );
     default:

@@ -63,18 +63,14 @@ export class Run {
 
   async #carryOut(): Promise<Trace> {
     let ending = await this.#attempt(RECURSION_LIMIT);
-    if (ending.kind === "died" && ending.reason === "recursion") {
+    if (ending.kind === "died" && ending.reason === "recursion" && ending.line === null) {
       const broken = this.#trace;
       this.#trace = new Trace(headerOf(this.#request));
       const second = await this.#attempt(CAREFUL_RECURSION_LIMIT);
-      // Runs are repeatable, so the second meets the same recursion, now with its line.
-      if (second.kind === "finished" && this.#trace.fault?.type === "RecursionError") {
-        ending = second;
-      } else if (second.kind === "stopped") {
-        ending = second;
-      } else {
-        this.#trace = broken;
-      }
+      // Runs are repeatable, so the second meets the same recursion, and may tell its line.
+      const told = this.#trace.fault?.type === "RecursionError" || second.kind === "died";
+      if (told || second.kind === "stopped") ending = second;
+      else this.#trace = broken;
     }
     if (!this.#trace.complete) this.#trace.append(explain(ending, this.#trace, this.#limits));
     this.#listeners.onChunk?.(this.#trace);
@@ -87,9 +83,7 @@ export class Run {
     });
     if (this.#stopped) return { kind: "stopped" };
     const watch = new Watch(this.#limits.silent_s, () => this.#end({ kind: "silent" }));
-    this.#begin(recursionLimit, watch).catch((error: unknown) =>
-      this.#end({ kind: "died", reason: "internal", message: String(error) }),
-    );
+    this.#begin(recursionLimit, watch).catch((error: unknown) => this.#end(ourFault(error)));
     const ending = await ended;
     watch.end();
     this.#interpreter?.end();
@@ -153,7 +147,7 @@ export class Run {
       try {
         this.#trace.append({ events: message.events, points: new Int16Array(message.points) });
       } catch (error) {
-        this.#end({ kind: "died", reason: "internal", message: String(error) });
+        this.#end(ourFault(error));
         return;
       }
       if (this.#trace.duration > before) watch.restart();
@@ -198,6 +192,10 @@ class Watch {
     clearTimeout(this.#silence);
     clearTimeout(this.#long);
   }
+}
+
+function ourFault(error: unknown): Ending {
+  return { kind: "died", reason: "internal", line: null, message: String(error) };
 }
 
 function headerOf(request: RunRequest): Header {

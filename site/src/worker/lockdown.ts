@@ -91,7 +91,5 @@ jsfinder.jsproxies.clear()
 for _name in list(sys.modules):
     if _name.partition(".")[0] in ("js", "pyodide_js"):
         del sys.modules[_name]
-sys.modules["js"] = None
-sys.modules["pyodide_js"] = None
 del _name, jsfinder, sys
 `;

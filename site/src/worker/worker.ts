@@ -8,6 +8,7 @@
 import type { PyodideAPI } from "pyodide";
 import type { Boot, FromWorker, ToWorker } from "../runtime/messages.ts";
 import { installStdlib, installWheel, startInterpreter } from "./interpreter.ts";
+import { LastWords } from "./last-words.ts";
 import { CLOSE_IMPORTS, lockDown } from "./lockdown.ts";
 
 /** `bridge.session`, as far as it is called from here. */
@@ -35,6 +36,7 @@ class Interpreter {
   #session: Session | null = null;
   #hasStdlib: boolean;
   #runId: number | null = null;
+  #lastWords = new LastWords();
 
   constructor(port: MessagePort, boot: Boot) {
     this.#port = port;
@@ -48,6 +50,7 @@ class Interpreter {
     this.#session = pyodide.pyimport("bridge.session") as Session;
     pyodide.runPython(CLOSE_IMPORTS);
     lockDown();
+    this.#lastWords.listen();
     this.#port.onmessage = (event: MessageEvent<ToWorker>) => this.#receive(event.data);
     this.#send({ kind: "ready" });
   }
@@ -104,7 +107,8 @@ class Interpreter {
       kind: "died",
       id: this.#runId,
       reason: ours ? "internal" : stackOverflowed(message) ? "recursion" : "fatal",
-      message: ours ? message : detail,
+      line: this.#lastWords.line,
+      message: ours ? message : `${detail}\n${this.#lastWords}`,
     });
   }
 
