@@ -1,0 +1,25 @@
+"""The reference mapper: occupancy grid mapping from poses and readings alone.
+
+May import: the standard library, `bugbot.frames`, `bugbot.errors`. `arrays` alone may import
+NumPy, so that everything else runs where there is none.
+
+    grid.py       the mat as cells in a flat list
+    log_odds.py   probabilities, log odds, adding and clamping
+    beam.py       the inverse sensor model: what one reading says about which cells
+    mapper.py     a grid that takes scans
+    frontiers.py  three states, frontier cells, regions, where to go next
+    score.py      a map against what really stands on the mat
+    arrays.py     the same grid as a NumPy array
+
+It marks what learners build and is itself never imported by their programs.
+A grid is a flat list, row after row, with row 0 at the bottom of the mat:
+index = row * across + column. Lengths in cm, angles in degrees clockwise from up
+the mat (`bugbot.frames`).
+
+Where it comes from:
+  H. P. Moravec, A. Elfes, "High resolution maps from wide angle sonar", ICRA 1985
+  J. E. Bresenham, "Algorithm for computer control of a digital plotter", IBM Systems
+    Journal 4(1), 1965
+  B. Yamauchi, "A frontier-based approach for autonomous exploration", CIRA 1997
+  S. Thrun, W. Burgard, D. Fox, "Probabilistic Robotics", MIT Press 2005, chapters 4.2 and 9
+"""
