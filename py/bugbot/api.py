@@ -47,6 +47,8 @@ __all__ = [
 _PER_CENT = "a number from -100 to 100 (per cent)"
 _SPEED = "a number above 0 (per cent of full speed)"
 _SHAPES = ("dots", "squares", "line", "text")
+_DECIMALS = 6
+"""Answers of the camera and the feet: the last figures of the simulator's would only puzzle."""
 
 
 # -- motion --------------------------------------------------------------------
@@ -233,7 +235,7 @@ def position() -> tuple[float, float]:
     >>> x, y = position()
     """
     sim = active("position()").sim
-    return round(sim.x - sim.start_x, 9), round(sim.y - sim.start_y, 9)
+    return round(sim.x - sim.start_x, _DECIMALS), round(sim.y - sim.start_y, _DECIMALS)
 
 
 def heading() -> float:
@@ -244,7 +246,7 @@ def heading() -> float:
 
     >>> facing = heading()
     """
-    return active("heading()").sim.heading
+    return round(active("heading()").sim.heading, _DECIMALS) % 360.0
 
 
 def odometry() -> tuple[float, float, float]:
@@ -257,7 +259,11 @@ def odometry() -> tuple[float, float, float]:
     >>> x, y, facing = odometry()
     """
     belief = active("odometry()").sim.odometry
-    return belief.x, belief.y, belief.heading
+    return (
+        round(belief.x, _DECIMALS),
+        round(belief.y, _DECIMALS),
+        round(belief.heading, _DECIMALS) % 360.0,
+    )
 
 
 def battery() -> float:

@@ -1,6 +1,6 @@
 """Checks of the arguments of the robot's calls, and the sentences for the wrong ones.
 
-May import: the standard library, `bugbot.errors`, `bugbot.colours`.
+May import: the standard library, `bugbot.errors`, `bugbot.colours`, `bugbot.trace`.
 
 Each check takes the call as the help writes it, the argument's name and the value,
 and returns the value in the form the rest of bugbot works with. True and False are
@@ -17,6 +17,7 @@ from typing import Any, NoReturn
 
 from bugbot.colours import COLOURS
 from bugbot.errors import WrongTypeError, WrongValueError, got, nearest
+from bugbot.trace import storable
 
 __all__ = ["choice", "colour", "name", "number", "points", "rgb"]
 
@@ -49,7 +50,7 @@ def name(call: str, value: Any) -> str:
         _refuse(WrongTypeError, call, "name", wants, value)
     if not 1 <= len(value) <= _NAME_LENGTH:
         _refuse(WrongValueError, call, "name", wants, value)
-    return str(value)
+    return storable(value)
 
 
 def choice(call: str, argument: str, value: Any, known: Sequence[str]) -> str:
@@ -92,15 +93,20 @@ def points(call: str, value: Any, layer: str, shape: str) -> tuple[Any, list[str
     listed = value if isinstance(value, list | tuple) else list(value)
     if shape == "text":
         return _texts(call, listed, layer)
-    try:
-        plain = set(map(len, listed)) <= {2}
-        plain = plain and set(map(type, chain.from_iterable(listed))) <= {float, int}
-    except TypeError:  # something in it has no length
-        plain = False
-    # A map of 1,600 cells is drawn often: two passes in C, and a call per point only in doubt.
-    if plain:
+    # A map of 1,600 cells is drawn often: a few passes in C, and a call per point only in doubt.
+    if _all_plain(listed):
         return listed, None
     return [_point(call, item, index) for index, item in enumerate(listed)], None
+
+
+def _all_plain(listed: Sequence[Any]) -> bool:
+    """Whether these are pairs of ordinary finite numbers, beyond doubt."""
+    try:
+        flat = list(chain.from_iterable(listed))
+        pairs = set(map(len, listed)) <= {2}
+        return pairs and set(map(type, flat)) <= {float, int} and isfinite(sum(flat))
+    except (TypeError, OverflowError):  # something without length; an int of hundreds of digits
+        return False
 
 
 def _point(call: str, item: Any, index: int) -> tuple[float, float]:
@@ -109,7 +115,10 @@ def _point(call: str, item: Any, index: int) -> tuple[float, float]:
     pair = isinstance(item, list | tuple) and len(item) == 2
     if not pair or any(isinstance(part, bool) or not isinstance(part, Real) for part in item):
         raise WrongTypeError(_bad_point(call, item, index))
-    x, y = float(item[0]), float(item[1])
+    try:
+        x, y = float(item[0]), float(item[1])
+    except OverflowError:
+        x = y = inf
     if not (isfinite(x) and isfinite(y)):
         raise WrongValueError(_bad_point(call, item, index))
     return x, y
@@ -128,7 +137,7 @@ def _texts(
     for index, item in enumerate(listed):
         has_words = isinstance(item, list | tuple) and len(item) == 3
         places.append(_point(call, item[:2] if has_words else item, index))
-        words.append(str(item[2]) if has_words else layer)
+        words.append(storable(str(item[2])) if has_words else layer)
     return places, words
 
 

@@ -7,6 +7,7 @@ May import: the standard library only.
     ├── WrongValueError       (ValueError)   the right kind, but out of range
     ├── NoRobotError          (RuntimeError) a robot's call outside a run
     ├── NoInputError          (EOFError)     input() in a place without a keyboard
+    ├── NoThreadError         (RuntimeError) a thread in a place without threads
     └── WorldError            (ValueError)   a world that is unknown or broken
 
 The wording: name the call as it is written in the help, say what it wants, say
@@ -28,6 +29,7 @@ __all__ = [
     "BugbotError",
     "NoInputError",
     "NoRobotError",
+    "NoThreadError",
     "WorldError",
     "WrongTypeError",
     "WrongValueError",
@@ -54,6 +56,10 @@ class NoRobotError(BugbotError, RuntimeError):
 
 class NoInputError(BugbotError, EOFError):
     """The program asked for typed input, and nobody can type any."""
+
+
+class NoThreadError(BugbotError, RuntimeError):
+    """The program tried to start a thread."""
 
 
 class WorldError(BugbotError, ValueError):

@@ -14,7 +14,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from math import copysign
+from math import copysign, tau
 from typing import Any, Protocol
 
 from bugbot.errors import NoRobotError
@@ -46,8 +46,8 @@ class Link:
         self.sim = Simulator(world, seed, trace)
         self.trace = trace
         self.filename = filename
-        self.notes: dict[str, int | None] = {}
-        """Remarks for the end of the run -> the learner's line they are about."""
+        self.small_turns: list[tuple[int | None, float]] = []
+        """Line and degrees of turns small enough to be radians by mistake."""
         self._guard = guard
         self._line: int | None = None
 
@@ -80,6 +80,8 @@ class Link:
 
     def turn_by(self, degrees: float, per_cent: float) -> None:
         """Turn on the spot by these degrees, clockwise positive; then stop."""
+        if 0 < abs(degrees) < 2 * tau and len(self.small_turns) < 100:
+            self.small_turns.append((self.learner_line(), degrees))
         self.sim.drive(0.0, 0.0, copysign(per_cent, degrees))
         spin = abs(speeds(0.0, 0.0, per_cent)[2])
         self.advance(abs(degrees) / spin)

@@ -52,7 +52,16 @@ from itertools import chain
 from math import isfinite
 from typing import IO, Any
 
-__all__ = ["FORMAT", "KINDS", "POINTS_PER_CM", "VERSION", "Event", "Trace", "TraceError"]
+__all__ = [
+    "FORMAT",
+    "KINDS",
+    "POINTS_PER_CM",
+    "VERSION",
+    "Event",
+    "Trace",
+    "TraceError",
+    "storable",
+]
 
 FORMAT = "bugbot-trace"
 VERSION = 1
@@ -236,6 +245,17 @@ class Trace:
             raise TraceError("the points, the last row, are missing: the file is cut short")
         _check_layers(trace)
         return trace
+
+
+def storable(text: str) -> str:
+    """The text without what UTF-8 can't hold (half of a surrogate pair becomes U+FFFD).
+
+    >>> storable("20 cm \\ud83e")
+    '20 cm ���'
+    """
+    if text.isascii():
+        return text
+    return text.encode("utf-8", "surrogatepass").decode("utf-8", "replace")
 
 
 def _check_layers(trace: Trace) -> None:

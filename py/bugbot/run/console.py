@@ -9,9 +9,9 @@ import io
 from collections.abc import Callable
 from typing import Any, NoReturn
 
-from bugbot.errors import NoInputError
+from bugbot.errors import NoInputError, WrongTypeError, got
 from bugbot.run.limits import Meter
-from bugbot.trace import Trace
+from bugbot.trace import Trace, storable
 
 __all__ = ["NoKeyboard", "Screen", "no_input"]
 
@@ -37,7 +37,7 @@ class NoKeyboard(io.TextIOBase):
         """Refuse."""
         raise NoInputError(f"sys.stdin has nobody to answer it: {_NO_INPUT}")
 
-    def readline(self, size: int | None = -1, /) -> NoReturn:  # type: ignore[override]
+    def readline(self, size: int | None = -1, /) -> NoReturn:
         """Refuse."""
         self.read()
 
@@ -66,12 +66,6 @@ class Screen(io.TextIOBase):
     def write(self, text: Any, /) -> int:
         """Record the text at the present simulated time; ends the run past the limit."""
         if not isinstance(text, str):
-            raise TypeError(f"write() argument must be str, not {type(text).__name__}")
-        if not text.isascii():
-            # Half of a surrogate pair can't be stored as UTF-8, nor shown.
-            text = text.encode("utf-8", "replace").decode("utf-8")
-        part = self._meter.printing(text)
-        if part:
-            self._write(self._now(), self.name, part)
-        self._meter.check_printing()
+            raise WrongTypeError(f"sys.{self.name}.write(text) wants a text; it got {got(text)}")
+        self._meter.print(storable(text), lambda part: self._write(self._now(), self.name, part))
         return len(text)

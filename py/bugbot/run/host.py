@@ -1,6 +1,7 @@
 """Python as a program finds it during a run, and put back as it was afterwards.
 
-May import: the standard library, `bugbot.clock`, `bugbot.run.console`.
+May import: the standard library, `bugbot.clock`, `bugbot.checks`, `bugbot.errors`,
+`bugbot.link`, `bugbot.run.console`.
 
 A program may do as it likes with `random`, `time`, `builtins` and the rest: the
 same program must give the same trace whatever ran before it, and the host (a
@@ -18,68 +19,118 @@ import sys
 import threading
 import time
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
-from types import ModuleType
+from types import FrameType, ModuleType
 from typing import Any, NoReturn, TextIO, cast
 
 import bugbot
-from bugbot import api
+from bugbot import api, checks
 from bugbot.clock import simulated_time
+from bugbot.errors import NoThreadError
+from bugbot.link import Link
 from bugbot.run.console import NoKeyboard, Screen, no_input
 
 __all__ = ["hosted"]
 
-_RESTORED = (builtins, math, os, random, sys, threading, time, bugbot, api)
+_RESTORED = (api, bugbot, builtins, math, os, random, sys, threading, time)
 """Modules whose names a program may have replaced: all are put back."""
 
-_RECURSION = 1000
-"""Python's own default, so that runaway recursion ends at the same depth everywhere."""
+_RECURSION = 900
+"""Calls inside one another that a program has, whoever runs it; below what engines can bear."""
 
 
 @contextmanager
 def hosted(
-    module: ModuleType,
-    source: str,
-    filename: str,
-    seed: int,
-    screens: tuple[Screen, Screen],
-    now: Callable[[], float],
-    sleep: Callable[[Any], None],
+    module: ModuleType, source: str, seed: int, link: Link, out: Screen, err: Screen
 ) -> Iterator[None]:
     """Inside this block Python is the program's; afterwards it is as before."""
+    filename = link.filename
     with ExitStack() as undo:
         for each in _RESTORED:
-            undo.callback(_put_back, each, dict(vars(each)))
+            undo.callback(_put_back, vars(each), dict(vars(each)))
+        undo.callback(_put_back_entry, sys.modules, "__main__", sys.modules.get("__main__"))
+        undo.callback(_put_back_entry, linecache.cache, filename, linecache.cache.get(filename))
         undo.callback(random.setstate, random.getstate())
         undo.callback(sys.setrecursionlimit, sys.getrecursionlimit())
         undo.callback(sys.settrace, sys.gettrace())
-        undo.callback(_put_back_entry, sys.modules, "__main__", sys.modules.get("__main__"))
-        undo.callback(_put_back_entry, linecache.cache, filename, linecache.cache.get(filename))
+        undo.callback(setattr, threading.Thread, "start", threading.Thread.start)
         undo.enter_context(warnings.catch_warnings())
-        undo.enter_context(simulated_time(now, sleep))
-        warnings.simplefilter("default")
-        random.seed(seed)
-        sys.setrecursionlimit(_RECURSION)
+        undo.enter_context(simulated_time(link.now, _sleeper(link)))
+
         sys.modules["__main__"] = module
         lines = source.splitlines(keepends=True)
         linecache.cache[filename] = (len(source), None, lines, filename)
-        sys.stdout, sys.stderr = (cast(TextIO, screen) for screen in screens)
+        random.seed(seed)
+        sys.setrecursionlimit(_depth() + _RECURSION)
+        sys.stdout, sys.stderr = cast(TextIO, out), cast(TextIO, err)
         sys.stdin = cast(TextIO, NoKeyboard())
-        sys.argv = [filename]
-        replaced: dict[str, Any] = {"input": no_input, "exit": sys.exit, "quit": sys.exit}
-        vars(builtins).update(replaced)
+        sys.argv, sys.path = [filename], sys.path[:]
+        vars(builtins).update(input=no_input, exit=sys.exit, quit=sys.exit)
         vars(os).update(_exit=_leave, abort=_leave)
+        threading.Thread.start = _no_thread  # type: ignore[assignment,method-assign]
+        _show_warnings_in(filename)
         yield
 
 
+def _sleeper(link: Link) -> Any:
+    def sleep(seconds: Any) -> None:
+        """time.sleep() during a run: simulated time passes."""
+        call = "time.sleep(seconds)"
+        link.check()
+        link.advance(checks.number(call, "seconds", seconds, "a number of 0 or more", low=0.0))
+
+    return sleep
+
+
 def _leave(status: object = None) -> NoReturn:
-    """What os._exit() is during a run: the end of the program, not of its host."""
+    """os._exit() during a run: the end of the program, not of its host."""
     raise SystemExit(status)
 
 
-def _put_back(module: ModuleType, names: dict[str, Any]) -> None:
-    current = vars(module)
+def _no_thread(_thread: threading.Thread) -> NoReturn:
+    """Thread.start() during a run: the same everywhere, for a browser has no threads."""
+    raise NoThreadError(
+        "a program can't start threads: the robot's programs do one thing after another"
+    )
+
+
+def _depth() -> int:
+    depth = 0
+    frame: FrameType | None = sys._getframe()
+    while frame is not None:
+        depth += 1
+        frame = frame.f_back
+    return depth
+
+
+def _show_warnings_in(program: str) -> None:
+    """Python's own rules for what is shown, whatever the host has set; on the program's stderr."""
+
+    def show(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: TextIO | None = None,
+        line: str | None = None,
+    ) -> None:
+        where = f"Line {lineno}" if filename == program else filename
+        sys.stderr.write(f"{where}: {category.__name__}: {message}\n")
+
+    warnings.showwarning = show
+    warnings.resetwarnings()
+    for quiet in (
+        DeprecationWarning,
+        PendingDeprecationWarning,
+        ImportWarning,
+        ResourceWarning,
+    ):
+        warnings.simplefilter("ignore", quiet)
+    warnings.filterwarnings("default", category=DeprecationWarning, module="__main__")
+
+
+def _put_back(current: dict[str, Any], names: dict[str, Any]) -> None:
     for name in [name for name in current if name not in names]:
         del current[name]
     current.update(names)

@@ -3,14 +3,18 @@
 May import: the standard library, `bugbot.trace`.
 
 `Limits` are the figures. `Meter` counts against them and raises `LimitReached`,
-which is no `Exception`, so `except Exception` does not swallow it; a program that
-does swallow it, with a bare `except`, gets it again in its next call.
+which is no `Exception`, so `except Exception` does not swallow it. A program that
+does swallow it, with a bare `except`, meets it again in its next call and on its
+next line.
 """
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from types import FrameType
+from typing import Any, NoReturn
 
 from bugbot.trace import Trace
 
@@ -32,67 +36,98 @@ class Limits:
 
 
 class LimitReached(BaseException):
-    """The run has used up a limit; the text says which, in words for the learner."""
+    """The run has used up a limit; the text goes on after "Stopped "."""
 
 
 class Meter:
     """Counts what a run uses; the `Guard` of its link."""
 
     def __init__(
-        self, limits: Limits, trace: Trace, on_flush: Callable[[], None] | None = None
+        self,
+        limits: Limits,
+        trace: Trace,
+        filename: str,
+        on_flush: Callable[[], None] | None = None,
     ) -> None:
+        self.limits = limits
         self.over: LimitReached | None = None
-        self._limits = limits
+        self.line: int | None = None
+        """The learner's line on which the limit was reached."""
         self._trace = trace
+        self._filename = filename
         self._on_flush = on_flush
         self._printed = 0
 
     def check(self) -> None:
         """Raise if the run is over; else give the page its turn."""
         if self.over is not None:
-            raise self.over
-        if self._trace.bytes > self._limits.trace_bytes:
+            self._insist(self.over)
+        if self._trace.bytes > self.limits.trace_bytes:
             self._end(
-                f"after recording {self._limits.trace_bytes / 1e6:g} MB of drawing, scans and "
-                "movement: one run may record no more. Draw less often, or fewer points"
+                f"after recording {self.limits.trace_bytes / 1e6:g} MB of drawing, scans and "
+                "movement: one run may record no more. Draw less often, or fewer points."
             )
         if self._on_flush is not None:
             self._on_flush()
 
     def allow(self, now: float, seconds: float) -> float:
         """How many of these seconds may still pass [s]."""
-        return min(seconds, self._limits.simulated_s - now)
+        return min(seconds, self.limits.simulated_s - now)
 
-    def time_is_up(self) -> None:
+    def time_is_up(self) -> NoReturn:
         """End the run: it wanted more simulated time than there is."""
         self._end(
-            f"after {self._limits.simulated_s:g} simulated seconds: one run may last no longer. "
-            "A loop that should end on its own needs a condition, or break"
+            f"after {self.limits.simulated_s:g} simulated seconds: one run may last no longer. "
+            "A loop that should end on its own needs a condition, or break."
         )
 
-    def silence(self) -> LimitReached:
-        """The end of a run that computes without simulated time passing; the watchdog raises it."""
+    def silence(self, frame: FrameType | None) -> None:
+        """The run computes, in this frame, without time passing: it is over. The watchdog raises."""
+        self.line = self._line_of(frame)
         self.over = LimitReached(
-            f"after {self._limits.silent_s:g} s of computing in which no simulated time passed: "
-            "a loop needs a wait(), or it never lets the robot move"
+            f"after {self.limits.silent_s:g} s of computing in which no simulated time passed: "
+            "a loop that goes on and on needs a wait() in it."
         )
-        return self.over
 
-    def printing(self, text: str) -> str:
-        """What may still be printed of this text; raises through `check` when that is not all."""
-        left = self._limits.print_bytes - self._printed
+    def print(self, text: str, write: Callable[[str], None]) -> None:
+        """Write this text, or as much of it as may still be printed."""
+        left = self.limits.print_bytes - self._printed
         self._printed += len(text)
-        return text if len(text) <= left else text[: max(0, left)]
-
-    def check_printing(self) -> None:
-        """End the run if it has printed too much."""
-        if self._printed > self._limits.print_bytes:
+        if left > 0:
+            write(text[:left])
+        if len(text) > left and self.over is None:
             self._end(
-                f"after printing {self._limits.print_bytes / 1e6:g} MB: one run may print no more. "
+                f"after printing {self.limits.print_bytes / 1e6:g} MB: one run may print no more. "
                 "Is there a print() in a loop that never waits?"
             )
         self.check()
 
-    def _end(self, words: str) -> None:
+    def _end(self, words: str) -> NoReturn:
+        self.line = self._line_of(sys._getframe(1))
         self.over = LimitReached(words)
         raise self.over
+
+    def _line_of(self, frame: FrameType | None) -> int | None:
+        while frame is not None and frame.f_code.co_filename != self._filename:
+            frame = frame.f_back
+        return None if frame is None else frame.f_lineno
+
+    def _insist(self, limit: LimitReached) -> NoReturn:
+        """Raise a limit that the program has swallowed, and once more on the line it goes on with.
+
+        `while True: try: … except: pass` catches what is raised in the `try`. What a trace
+        function raises on the line of the handler itself is outside it.
+        """
+
+        def raise_again(frame: FrameType, event: str, _: Any) -> Any:
+            if event == "line" and frame.f_code.co_filename == self._filename:
+                raise limit.with_traceback(None)
+            return raise_again
+
+        sys.settrace(raise_again)
+        frame: FrameType | None = sys._getframe(1)
+        while frame is not None:
+            if frame.f_code.co_filename == self._filename:
+                frame.f_trace = raise_again
+            frame = frame.f_back
+        raise limit.with_traceback(None)

@@ -12,13 +12,20 @@ from typing import Any
 from bugbot import worlds
 from bugbot.link import Link, connected
 from bugbot.run.console import Screen
-from bugbot.run.faults import fault_of
+from bugbot.run.faults import fault_of, learner_lines
 from bugbot.run.host import hosted
-from bugbot.run.limits import LimitReached, Limits, Meter
-from bugbot.trace import Trace
+from bugbot.run.limits import Limits, Meter
+from bugbot.run.slips.quiet import remarks
+from bugbot.run.watchdog import watched
+from bugbot.trace import Trace, storable
 from bugbot.worlds import World
 
 __all__ = ["run_program"]
+
+_USUAL_LIMITS = Limits()
+
+_LONGEST_GOODBYE = 1000
+"""So much of the text given to sys.exit() is shown [characters]."""
 
 
 def run_program(
@@ -26,10 +33,11 @@ def run_program(
     world: World | dict[str, Any] | str,
     seed: int,
     *,
-    limits: Limits = Limits(),  # noqa: B008  frozen
+    limits: Limits = _USUAL_LIMITS,
     filename: str = "program.py",
     on_flush: Callable[[], None] | None = None,
     trace_ready: Callable[[Trace], None] | None = None,
+    on_stuck: Callable[[Trace], None] | None = None,
 ) -> Trace:
     """Run a program on a world and return its trace.
 
@@ -40,43 +48,82 @@ def run_program(
     filename     what the program is called in messages
     on_flush     called often while the program runs, from the robot's calls and from printing
     trace_ready  is handed the trace before the program starts
+    on_stuck     called from another thread, with the trace at its end, if the program computes
+                 past the limit and can't be interrupted; it should end the process
 
     The same arguments give the same trace. Whatever the program does wrong is in the trace
-    (`fault` and `end` events), never raised. Raises WorldError for a world that is none.
+    (`fault` and `end` events), never raised. Raises WorldError for a world that is none, and
+    TypeError for a seed that is no int.
     """
+    if not isinstance(seed, int):
+        raise TypeError(f"a run wants an int for its seed; it got {seed!r}")
     if not isinstance(world, World):
         world = World.from_dict(world) if isinstance(world, dict) else worlds.load(world)
-    source = source.removeprefix("\ufeff")
+    source = storable(source.removeprefix("\ufeff"))  # what some editors put before the text
     trace = Trace(source, world.to_dict(), seed)
-    meter = Meter(limits, trace, on_flush)
+    meter = Meter(limits, trace, filename, on_flush)
     link = Link(world, seed, trace, filename, meter)
     if trace_ready is not None:
         trace_ready(trace)
     module = ModuleType("__main__")
     module.__file__ = filename
-    screens = (
-        Screen("stdout", trace, link.now, meter),
-        Screen("stderr", trace, link.now, meter),
-    )
-    with connected(link), hosted(module, source, filename, seed, screens, link.now, link.advance):
-        status, message = _carry_out(source, module, link)
-    link.sim.finish()
-    trace.add("end", link.now(), status, message)
+    out = Screen("stdout", trace, link.now, meter)
+    err = Screen("stderr", trace, link.now, meter)
+
+    def end(status: str, message: str) -> None:
+        link.sim.finish()
+        trace.add("end", link.now(), status, message)
+
+    def give_up() -> None:
+        end(*_over(meter))
+        if on_stuck is not None:
+            on_stuck(trace)
+
+    with (
+        connected(link),
+        watched(meter, link.now, filename, give_up if on_stuck else None),
+        hosted(module, source, seed, link, out, err),
+    ):
+        status, message = _carry_out(source, module, link, meter)
+    end(status, message)
     return trace
 
 
-def _carry_out(source: str, module: ModuleType, link: Link) -> tuple[str, str]:
+def _carry_out(source: str, module: ModuleType, link: Link, meter: Meter) -> tuple[str, str]:
     """Run the program in its module; the status and message of its end."""
     try:
         exec(compile(source, link.filename, "exec", dont_inherit=True), vars(module))
-    except SystemExit:
-        return "finished", f"Finished after {link.now():g} s."
-    except LimitReached as limit:
-        return "limit", f"Stopped {limit}."
+        if meter.over is None:
+            said = [f"Finished after {_seconds(link)}.", *remarks(source, link)]
+            return "finished", " ".join(said)
+        raise meter.over  # the program has swallowed it and gone on to its end
     except BaseException as error:
-        fault = fault_of(error, link.filename)
-        link.trace.add(
-            "fault", link.now(), fault.type, fault.message, fault.line, fault.hint, fault.traceback
-        )
-        return "fault", f"Stopped by an error on line {fault.line}: {fault.message}"
-    return "finished", f"Finished after {link.now():g} s."
+        return _ended_by(error, source, link, meter)
+
+
+def _over(meter: Meter) -> tuple[str, str]:
+    on_line = "" if meter.line is None else f" on line {meter.line}"
+    return "limit", f"Stopped{on_line} {meter.over}"
+
+
+def _seconds(link: Link) -> str:
+    return f"{round(link.now(), 2):g} s"
+
+
+def _ended_by(error: BaseException, source: str, link: Link, meter: Meter) -> tuple[str, str]:
+    lines = learner_lines(error, link.filename)
+    on_line = f" on line {lines[-1]}" if lines else ""
+    if meter.over is not None:  # whatever the program made of it on the way out
+        return _over(meter)
+    if isinstance(error, SystemExit):
+        if isinstance(error.code, str):  # as Python does at the command line
+            link.trace.write(link.now(), "stderr", storable(f"{error.code[:_LONGEST_GOODBYE]}\n"))
+        return "finished", f"Finished after {_seconds(link)}: the program left{on_line}."
+    if isinstance(error, KeyboardInterrupt):
+        return "stopped", f"Stopped{on_line} after {_seconds(link)}."
+    fault = fault_of(error, source, link.filename)
+    link.trace.add(
+        "fault", link.now(), fault.type, fault.message, fault.line, fault.hint, fault.traceback
+    )
+    where = "" if fault.line is None else f" on line {fault.line}"
+    return "fault", f"Stopped by an error{where}: {fault.message}"

@@ -1,0 +1,30 @@
+"""The likely causes of an error: which common mistake it looks like.
+
+May import: the standard library, `bugbot.errors`, `bugbot.api`, `bugbot.colours`.
+
+Each module has a tuple `SLIPS` of functions from a `Case` to a sentence or None; the
+first that answers is the hint shown under the error. A slip looks only at types,
+names and the text of a line: it never runs any of the learner's code.
+
+    case.py       the error, its line and the names in sight there
+    syntax.py     what can't be read as Python
+    names.py      names, attributes and modules that are not there
+    calls.py      brackets, arguments, functions and what they give back
+    values.py     indices, kinds of values, arithmetic
+    arguments.py  wrong numbers of arguments of the robot's calls, in plain words
+    quiet.py      programs that end without an error and yet did not do what was meant
+"""
+
+from __future__ import annotations
+
+from bugbot.run.slips import calls, names, syntax, values
+from bugbot.run.slips.case import Case
+
+__all__ = ["likely_cause"]
+
+_ORDER = (*syntax.SLIPS, *names.SLIPS, *calls.SLIPS, *values.SLIPS)
+
+
+def likely_cause(case: Case) -> str | None:
+    """What probably went wrong and what to do, or None if this looks like nothing known."""
+    return next((hint for slip in _ORDER if (hint := slip(case)) is not None), None)

@@ -1,0 +1,187 @@
+"""Slips in what can't be read as Python: brackets, quotes, colons, indentation.
+
+May import: the standard library, the rest of `bugbot.run.slips`.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+from bugbot.run.slips.case import Case, Slip
+
+__all__ = ["SLIPS"]
+
+_FOREIGN: tuple[tuple[str, str], ...] = (
+    (r"^\s*```", "Leave out the lines with ```: they belong to the page it was copied from."),
+    (r"^\s*>>>", "Leave out the >>> at the start of the line: it is Python's prompt, not program."),
+    (r"\belse\s+if\b", "Python writes else if as one word: elif."),
+    (r"^\s*(elseif|elsif)\b", "Python's word for this is elif."),
+    (r"&&", "Python writes && as the word and."),
+    (r"\|\|", "Python writes || as the word or."),
+    (r"!(?!=)", "Python writes ! as the word not."),
+    (r"\+\+|--", "Python has no ++ or --: write x += 1 or x -= 1."),
+    (r"^\s*function\b", "Python defines a function with def: def name():"),
+    (r"^\s*(var|let|const|int|float)\s+\w+\s*=", "Python needs no word before a new name: x = 3"),
+    (r"^\s*for\s*\(|^\s*for\s+\w+\s*=", "Python counts like this: for i in range(10):"),
+    (r"\bthen\s*:?\s*$", "Python has no then: the line ends with a colon."),
+    (r"\bdo\s*:?\s*$", "Python has no do: the line ends with a colon."),
+    (
+        r"^\s*(if|for|while|def|else)\b.*\{\s*$|^\s*\}",
+        "Python puts no { } round a block: a colon and an indent do it.",
+    ),
+)
+"""Pattern in the line -> hint: what other languages write, whatever Python says of it."""
+
+_UNREADABLE: tuple[tuple[str, str], ...] = (
+    (
+        r"^\s*(class|from|import|in|is|lambda|pass|global|with|as|del|not|and|or|if|for|while"
+        r"|return|try|def)\s*=",
+        "That name is one of Python's own words: choose another for your value.",
+    ),
+    (
+        r"^\s*(wait|turn|forward|backward|left|right|beep|plot|led|drive|draw)\s+[-\w\"']",
+        "A call needs brackets round what it is given: wait(2)",
+    ),
+    (r"^\s*(else|elif|except|finally)\b", "This has no if (or try) above it at the same indent."),
+    (r"(?<![=!<>])=\s*$|[-+*/%]\s*$", "The line stops too early: something is missing at its end."),
+)
+"""Pattern in the line -> hint, where Python only says that it can't read it."""
+
+_BY_MESSAGE: tuple[tuple[str, str], ...] = (
+    (r"^'(.)' was never closed", "This {0} is never closed: add its partner where it should end."),
+    (r"^unmatched '(.)'", "There is a {0} too many, or its opening partner is missing."),
+    (
+        r"^closing parenthesis '(.)' does not match opening parenthesis '(.)'",
+        "What was opened with {1} is closed with {0}: make them a pair.",
+    ),
+    (
+        r"Maybe you meant '==' or ':='",
+        "A question is asked with two equals signs: ==. One alone gives a value to a name.",
+    ),
+    (
+        r"^cannot assign to (function call|literal|expression)",
+        "The name that gets the value stands on the left of =: x = 3. To compare, write ==.",
+    ),
+    (r"^cannot assign to (True|False|None)", "{0} is a fixed value: choose another name."),
+    (
+        r"^unterminated triple-quoted",
+        "A text that begins with three quotes must end with three quotes.",
+    ),
+    (
+        r"^unterminated (f-)?string",
+        "A quote is missing at the end of the text, or the text holds one like those around it.",
+    ),
+    (r"f-string", "In an f-text each { needs its } with something in between."),
+    (r"^expected ':'", "A line that begins a block (if, for, while, def …) ends with a colon."),
+    (
+        r"^expected an indented block after (.+?) on line (\d+)",
+        "What belongs to the {0} on line {1} must be there, indented by 4 spaces.",
+    ),
+    (
+        r"^unexpected indent",
+        "This line begins further right than the one above, which does not open a block.",
+    ),
+    (
+        r"^unindent does not match",
+        "This line begins between two levels: line it up with the block that it belongs to.",
+    ),
+    (
+        r"^inconsistent use of tabs",
+        "Some lines are indented with tabs and some with spaces: use 4 spaces everywhere.",
+    ),
+    (r"^Missing parentheses in call to '(\w+)'", "Put brackets round it: {0}(…)"),
+    (r"^'(return|yield|await)' outside", "{0} belongs inside a function: check the indentation."),
+    (r"^'(break|continue)' ", "{0} belongs inside a loop: check the indentation."),
+    (r"forgot a comma", "Between two values there must be a comma."),
+    (r"^leading zeros", "A number does not begin with 0: write 7, not 007."),
+    (
+        r"^invalid decimal literal",
+        "A number runs into letters: units like cm are not written, and a name can't begin "
+        "with a digit.",
+    ),
+    (
+        r"^positional argument follows keyword",
+        "Arguments with a name (size=2) come after those without.",
+    ),
+    (r"^expected '\('", "def needs brackets after the function's name, even empty: def name():"),
+    (r"^':' expected after dictionary key", "Each entry of a dictionary is key: value."),
+    (r"^expected 'except' or 'finally'", "try needs an except below it, at the same indent."),
+    (r"names? after 'import'", "Say what to import: from bugbot import *"),
+    (r"assigned to before global", "The global line must come first in the function."),
+    (r"duplicate argument '(\w+)'", "Two arguments are called {0}: each needs its own name."),
+    (r"line continuation", "There is a \\ in the line: outside a text it is of no use here."),
+    (r"null bytes", "There are unreadable characters in the program: type it anew."),
+)
+"""Pattern in Python's message -> hint."""
+
+_LOOKALIKES = {
+    "“": '"',
+    "”": '"',
+    "„": '"',
+    "«": '"',
+    "»": '"',
+    "‘": "'",
+    "’": "'",
+    "´": "'",
+    "−": "-",
+    "–": "-",
+    "—": "-",
+    "×": "*",
+    "·": "*",
+    "÷": "/",
+    "≤": "<=",
+    "≥": ">=",
+    "≠": "!=",
+    "…": "...",
+}
+
+
+def _strange_character(case: Case) -> str | None:
+    found = re.match(r"invalid (?:character|non-printable character).*U\+([0-9A-F]+)", case.message)
+    if not found:
+        return None
+    character = chr(int(found[1], 16))
+    plain = _LOOKALIKES.get(character) or unicodedata.normalize("NFKC", character)
+    if plain.isspace():
+        return "There is a space of a special kind, as web pages have: delete it and type a space."
+    if plain != character and plain.isascii():
+        return f"{character} is not the sign on the keyboard: write {plain} instead."
+    return f"Python has no sign {character}: units and the like are left out, or go in a comment."
+
+
+def _foreign(case: Case) -> str | None:
+    return next((hint for pattern, hint in _FOREIGN if re.search(pattern, case.code)), None)
+
+
+def _unreadable(case: Case) -> str | None:
+    if case.message != "invalid syntax":
+        return None
+    return next((hint for pattern, hint in _UNREADABLE if re.search(pattern, case.code)), None)
+
+
+def _by_message(case: Case) -> str | None:
+    for pattern, hint in _BY_MESSAGE:
+        found = re.search(pattern, case.message)
+        if found:
+            return hint.format(*found.groups())
+    return None
+
+
+def _bracket_above(case: Case) -> str | None:
+    """`print(x` and then a sound line: Python complains of the second."""
+    if case.message != "invalid syntax" or case.line is None:
+        return None
+    above = case.text_of(case.line - 1).partition("#")[0]
+    if above.count("(") > above.count(")"):
+        return f"The line above, {case.line - 1}, opens a ( and does not close it."
+    return None
+
+
+def _only_syntax(slip: Slip) -> Slip:
+    return lambda case: slip(case) if isinstance(case.error, SyntaxError) else None
+
+
+SLIPS: tuple[Slip, ...] = tuple(
+    map(_only_syntax, (_strange_character, _foreign, _bracket_above, _unreadable, _by_message))
+)
