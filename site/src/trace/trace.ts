@@ -98,7 +98,7 @@ export class Trace {
   }
 
   get fault(): Fault | null {
-    return this.#store.faults.at(-1) ?? null;
+    return this.#store.faults[0] ?? null;
   }
 
   /** Events so far. */

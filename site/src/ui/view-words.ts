@@ -1,0 +1,66 @@
+/**
+ * The words of the overhead view, the chart and the console. Imports nothing of ours but `dom`.
+ *
+ * The same voice as `strings.ts`: what is so, in plain words, with its unit.
+ */
+import { seconds } from "./dom.ts";
+
+/** A length in cm as people write it: 127.5, 100. */
+const cm = (value: number): string => String(Math.round(value * 10) / 10);
+const point = (x: number, y: number): string => `(${cm(x)}, ${cm(y)}) cm`;
+const beams = (count: number): string => `${count} ${count === 1 ? "beam" : "beams"}`;
+
+export const overheadWords = {
+  name: "Overhead view",
+  cursor: "Cell cursor",
+  cursorHelp: "The arrow keys move by a cell, with Shift by five. Escape puts the cursor away.",
+  legend: "Shown on the mat",
+  ask: "Point at a cell, or press the arrow keys on the mat, to see what speaks for it.",
+  bare: "bare mat",
+  truth: "really there",
+  differs: "unlike the run before",
+  otherSize: "cells of another size",
+  outlined: "outlined by the check",
+  more: (count: number) => `and ${count} more`,
+
+  /** Of a moment. */
+  robot: (x: number, y: number, heading: number) =>
+    `robot at (${Math.round(x)}, ${Math.round(y)}) cm, heading ${Math.round(heading) % 360}°`,
+  layers: (counts: readonly string[]) => counts.join(", ") || "nothing drawn",
+  ahead: (name: string, distance: number) => `${name} ${Math.round(distance)} cm ahead`,
+  clear: (distance: number) => `nothing within ${distance} cm ahead`,
+
+  /** Of a cell. */
+  cell: (x: number, y: number) => `Cell ${point(x, y)}`,
+  drawnAs: (name: string | null) => (name === null ? "is bare mat" : `is drawn as ${name}`),
+  isFloor: (near: string, distance: number) => `really floor, ${cm(distance)} cm from the ${near}`,
+  isPartly: (name: string) => `really floor, with some of the ${name} in it`,
+  isThing: (name: string) => `really the ${name}`,
+  untouched: "No beam of this run has touched it so far.",
+  evidence: (passed: number, ended: number) =>
+    `So far ${beams(passed)} passed through it and ${ended} ended in it`,
+  last: (t: number, reading: number, ended: boolean) =>
+    `the last, at ${seconds(t)}, read ${cm(reading)} cm and ${ended ? "ended here" : "passed"}`,
+};
+
+export const chartWords = {
+  name: "Chart",
+  empty: "Nothing plotted yet: plot(name, value) draws a line here",
+  none: "–",
+  more: (count: number) => `and ${count} more`,
+  earlier: "thin: the run before",
+  runs: (count: number) => `band: ${count} runs, their median in the middle`,
+  moment: (lines: number, t: number) =>
+    `${lines === 1 ? "1 line" : `${lines} lines`} against time, shown at ${seconds(t)}`,
+  table: "Values as a table",
+  time: "time",
+  skipped: (shown: number, all: number) => `${shown} of ${all} times; the CSV file has them all.`,
+};
+
+export const consoleWords = {
+  name: "Console",
+  empty: "What the program prints appears here.",
+  error: "error output",
+  left: (lines: number) =>
+    `${lines.toLocaleString("en-GB")} earlier ${lines === 1 ? "line" : "lines"} left out`,
+};

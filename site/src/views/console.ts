@@ -1,0 +1,146 @@
+/**
+ * <console-view>: what the program has printed up to the shown moment.
+ *
+ * Set `player`, and `note` for a line of the page's own at the end. Stays at the bottom unless the
+ * reader has scrolled up. May import `trace`, `player` and `ui`.
+ */
+import { html, LitElement, type TemplateResult } from "lit";
+import type { Player } from "../player/player.ts";
+import type { Trace } from "../trace/trace.ts";
+import { consoleWords as words } from "../ui/view-words.ts";
+import "./console.css";
+import { ConsoleLines, type PrintedLine } from "./console-lines.ts";
+
+/** Scrolled up by less than this still counts as being at the bottom [pixels]. */
+const BOTTOM_PX = 8;
+/** More new lines than this at once are not read out: nobody could follow. */
+const READ_OUT_LINES = 10;
+
+export class ConsoleView extends LitElement {
+  static override properties = { player: { attribute: false }, note: { attribute: false } };
+  declare player: Player;
+  declare note: string;
+
+  #lines: { trace: Trace; of: ConsoleLines } | null = null;
+  /** What is in the page, row for row. */
+  #rows: { number: number; key: string; element: HTMLElement }[] = [];
+  #shownPrints = -1;
+  readonly #redraw = (): void => this.requestUpdate();
+
+  constructor() {
+    super();
+    this.note = "";
+  }
+
+  /** In the page itself, not in a shadow: one style sheet for all of it. */
+  override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.player.addEventListener("change", this.#redraw);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.player.removeEventListener("change", this.#redraw);
+  }
+
+  override render(): TemplateResult {
+    const { trace, time } = this.player;
+    const quiet = trace.printsUpTo(time) === 0 && this.note === "";
+    return html`<div class="console-log" role="log" aria-label=${words.name} tabindex="0">
+      <p class="console-left" hidden></p>
+      <div class="console-lines"></div>
+      <p class="console-note">${quiet ? words.empty : this.note}</p>
+    </div>`;
+  }
+
+  override updated(): void {
+    const { trace, time } = this.player;
+    const log = this.#part(".console-log");
+    const atBottom = log.scrollHeight - log.scrollTop - log.clientHeight < BOTTOM_PX;
+    const prints = trace.printsUpTo(time);
+    if (this.#lines?.trace !== trace) {
+      this.#lines = { trace, of: new ConsoleLines(trace.prints) };
+      this.#shownPrints = -1;
+    }
+    if (prints !== this.#shownPrints) {
+      this.#shownPrints = prints;
+      this.#show(this.#lines.of.after(prints), log);
+    }
+    if (atBottom) log.scrollTop = log.scrollHeight;
+  }
+
+  #part(selector: string): HTMLElement {
+    const part = this.querySelector<HTMLElement>(selector);
+    if (!part) throw new Error(`the console was asked for its ${selector} before it had one`);
+    return part;
+  }
+
+  /** Changes only the rows that have to change: most often one is added at the end. */
+  #show(lines: readonly PrintedLine[], log: HTMLElement): void {
+    const kept = new Map(this.#rows.map((row) => [row.number, row]));
+    let added = 0;
+    let inError = false;
+    const rows = lines.map((line) => {
+      const begins = !inError && hasError(line);
+      inError = hasError(line);
+      const key = keyOf(line, begins);
+      const row = kept.get(line.number);
+      if (row?.key === key) return row;
+      added += 1;
+      return { number: line.number, key, element: rowOf(line, begins) };
+    });
+    log.ariaLive = added > READ_OUT_LINES ? "off" : "polite";
+    place(
+      this.#part(".console-lines"),
+      rows.map((row) => row.element),
+    );
+    this.#rows = rows;
+    const left = this.#part(".console-left");
+    const before = lines[0]?.number ?? 0;
+    left.hidden = before === 0;
+    left.textContent = words.left(before);
+  }
+}
+
+function hasError(line: PrintedLine): boolean {
+  return line.pieces.some((piece) => piece.stream === "stderr");
+}
+
+/** Two lines of one key look the same. */
+function keyOf(line: PrintedLine, begins: boolean): string {
+  return `${begins}${line.pieces.map(({ stream, text }) => `\n${stream}${text}`).join("")}`;
+}
+
+function rowOf(line: PrintedLine, begins: boolean): HTMLElement {
+  const row = document.createElement("div");
+  if (begins) row.append(span("console-tag", words.error));
+  for (const { stream, text } of line.pieces) {
+    row.append(stream === "stderr" ? span("console-error", text) : text);
+  }
+  if (line.pieces.length === 0) row.append(document.createElement("br"));
+  return row;
+}
+
+function span(className: string, text: string): HTMLElement {
+  const element = document.createElement("span");
+  element.className = className;
+  element.textContent = text;
+  return element;
+}
+
+/** Makes these the children of `parent`, leaving alone those that are in their place already. */
+function place(parent: HTMLElement, wanted: readonly HTMLElement[]): void {
+  const stays = new Set<Element>(wanted);
+  for (const child of [...parent.children]) if (!stays.has(child)) child.remove();
+  let at = parent.firstElementChild;
+  for (const element of wanted) {
+    if (element === at) at = at.nextElementSibling;
+    else parent.insertBefore(element, at);
+  }
+}
+
+customElements.define("console-view", ConsoleView);

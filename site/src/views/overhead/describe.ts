@@ -1,0 +1,58 @@
+/**
+ * The overhead view in words: a moment of the run, and what speaks for one cell.
+ * May import `trace`, `ui` and, in this folder, `cells`.
+ */
+import type { Layer } from "../../trace/events.ts";
+import type { CellEvidence } from "../../trace/evidence.ts";
+import type { Cell } from "../../trace/frames.ts";
+import type { Trace } from "../../trace/trace.ts";
+import { aheadOf, nearestTo, obstacleAt, obstacleIn } from "../../trace/truth.ts";
+import { overheadWords as words } from "../../ui/view-words.ts";
+
+/** What lies further ahead than this is not worth a word [cm]. */
+const AHEAD_CM = 40;
+
+/** "robot at (100, 112) cm, heading 90°; 901 free, 115 occupied; nothing within 40 cm ahead" */
+export function describeMoment(trace: Trace, t: number, layers: readonly Layer[]): string {
+  const pose = trace.poseAt(t);
+  const ahead = aheadOf(trace.header.world, pose);
+  return [
+    words.robot(pose.x, pose.y, pose.heading),
+    words.layers(layers.map((layer) => `${layer.count} ${layer.name}`)),
+    ahead.cm <= AHEAD_CM ? words.ahead(ahead.name, ahead.cm) : words.clear(AHEAD_CM),
+  ].join("; ");
+}
+
+/** Which cell, and the sentences about it. */
+export interface CellStory {
+  title: string;
+  text: string;
+}
+
+/** `drawnAs` is the layer the cell belongs to, null for bare mat. */
+export function explainCell(
+  trace: Trace,
+  cell: Cell,
+  drawnAs: string | null,
+  { passed, ended, last }: CellEvidence,
+): CellStory {
+  const x = cell.x + cell.size / 2;
+  const y = cell.y + cell.size / 2;
+  const evidence = last
+    ? `${words.evidence(passed, ended)}; ${words.last(last.t, last.reading, last.ended)}.`
+    : words.untouched;
+  return {
+    title: words.cell(x, y),
+    text: `${words.drawnAs(drawnAs)}; ${truthOf(trace, cell, x, y)}. ${evidence}`,
+  };
+}
+
+function truthOf(trace: Trace, cell: Cell, x: number, y: number): string {
+  const { world } = trace.header;
+  const thing = obstacleAt(world, x, y);
+  if (thing) return words.isThing(thing.name);
+  const part = obstacleIn(world, cell);
+  if (part) return words.isPartly(part.name);
+  const near = nearestTo(world, x, y);
+  return words.isFloor(near.name, near.cm);
+}
