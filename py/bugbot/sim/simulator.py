@@ -117,6 +117,7 @@ class Simulator:
             return False
         if not self._bumped:
             self._bumped = True
+            self._record_standing()  # it ended before this moment
             self._trace.add("bump", now, round(touch[1], 9), round(touch[2], 9))
         return True
 
@@ -148,8 +149,7 @@ class Simulator:
     def finish(self) -> None:
         """Record the last pose; nothing moves after this."""
         self._record_pose()
-        if self._still_until is not None:
-            self._trace.add("pose", self._still_until, *self._place)
+        self._record_standing()
 
     def _record_pose(self) -> None:
         """Record where the robot is now.
@@ -161,8 +161,12 @@ class Simulator:
         if place == self._place:
             self._still_until = self.t
             return
+        self._record_standing()
+        self._place = place
+        self._trace.add("pose", self.t, *place)
+
+    def _record_standing(self) -> None:
+        """Record the last moment the robot stood where it stands, if it has not been."""
         if self._still_until is not None:
             self._trace.add("pose", self._still_until, *self._place)
             self._still_until = None
-        self._place = place
-        self._trace.add("pose", self.t, *place)
