@@ -17,15 +17,20 @@ import { icons } from "../ui/icons.ts";
 import { editorWords, labWords, pickerWords, starterProgram, statusWords } from "../ui/strings.ts";
 import { FIRST_SEED } from "./address.ts";
 import { applyCodeSize, changeCodeSize } from "./code-size.ts";
+import { emptyTrace } from "./empty-trace.ts";
+import "./lab.css";
 import { LabProgram } from "./lab-program.ts";
-import { emptyTrace, LabStage } from "./lab-stage.ts";
 import { pickers } from "./pickers.ts";
+import { playbackKey } from "./playback-keys.ts";
 import { problem } from "./problem.ts";
 import { Runner } from "./runner.ts";
 import type { Services } from "./services.ts";
 import { type Note, status } from "./status.ts";
 import type { LabTransport } from "./transport.ts";
 import "./transport.ts";
+import "../views/chart.ts";
+import "../views/console.ts";
+import "../views/overhead/overhead.ts";
 
 export class BugbotLab extends LitElement {
   static override properties = {
@@ -44,7 +49,8 @@ export class BugbotLab extends LitElement {
   readonly #runner: Runner;
   readonly #player: Player;
   #program: LabProgram | null = null;
-  #stage: LabStage | null = null;
+  /** The run before the one on show, to compare it with. */
+  #earlier: Trace | null = null;
   /** Set before there is an editor to hold it. */
   #programToBe: string | null = null;
   #note: Note | null = null;
@@ -93,7 +99,7 @@ export class BugbotLab extends LitElement {
     await this.updateComplete;
     this.#note = null;
     this.#program?.beginRun();
-    this.#stage?.begin(this.#runner.trace);
+    this.#earlier = this.#runner.trace;
     const { program, seed } = this;
     return outcomeOf(await this.#runner.run({ program, world: this.#world, seed }));
   }
@@ -127,9 +133,10 @@ export class BugbotLab extends LitElement {
 
   override firstUpdated(): void {
     const { calls, store } = this.#services;
-    this.#stage = new LabStage(this.#part(".lab-stage"), this.#part(".lab-console"), this.#player);
+    const host = this.querySelector<HTMLElement>(".lab-editor");
+    if (!host) throw new Error("<bugbot-lab> was drawn without a place for its editor");
     this.#program = new LabProgram({
-      host: this.#part(".lab-editor"),
+      host,
       describedBy: this.#hintId,
       calls,
       store,
@@ -148,12 +155,6 @@ export class BugbotLab extends LitElement {
     this.#runner.clear();
     this.#open();
     this.#offer(before, text);
-  }
-
-  #part(selector: string): HTMLElement {
-    const part = this.querySelector<HTMLElement>(selector);
-    if (!part) throw new Error(`<bugbot-lab> has no part ${selector}`);
-    return part;
   }
 
   get #world(): World {
@@ -180,6 +181,7 @@ export class BugbotLab extends LitElement {
     const page = location.pathname.replace(/index\.html$/, "");
     const own = this.#program?.open(`${page}#${this.id}:${this.world}`, this.#starter);
     this.#player.show(emptyTrace(this.#world));
+    this.#earlier = null;
     this.#say(own ? { text: statusWords.restored } : null);
   }
 
@@ -239,6 +241,10 @@ export class BugbotLab extends LitElement {
     this.querySelector<HTMLElement>(".lab-bar .go")?.focus();
   }
 
+  #onViewKey(event: KeyboardEvent): void {
+    playbackKey(event, this.#player);
+  }
+
   // -- what is drawn -----------------------------------------------------------------
 
   override render(): TemplateResult {
@@ -250,13 +256,15 @@ export class BugbotLab extends LitElement {
       <div class="lab-bar">
         ${this.label ? html`<h2 class="title">${this.label}</h2>` : nothing}
         ${this.pickers ? this.#pickers() : nothing}
-        <button type="button" @click=${() => this.#reset()}>${labWords.reset}</button>
-        <button type="button" ?disabled=${!busy} @click=${() => this.#stopAndReturn()}>
-          ${icons.stop}${labWords.stop}
-        </button>
-        <button type="button" class="go" @click=${() => void this.run()}>
-          ${icons.play}${labWords.run}
-        </button>
+        <div class="lab-actions">
+          <button type="button" @click=${() => this.#reset()}>${labWords.reset}</button>
+          <button type="button" ?disabled=${!busy} @click=${() => this.#stopAndReturn()}>
+            ${icons.stop}${labWords.stop}
+          </button>
+          <button type="button" class="go" @click=${() => void this.run()}>
+            ${icons.play}${labWords.run}
+          </button>
+        </div>
       </div>
       ${status({
         phase,
@@ -279,9 +287,14 @@ export class BugbotLab extends LitElement {
               @click=${() => changeCodeSize(this, 1)}>A+</button>
           </div>
           ${problem(fault, (line) => this.#program?.goToLine(line))}
-          <div class="lab-console"></div>
         </div>
-        <div class="lab-stage"></div>
+        <console-view .player=${this.#player}></console-view>
+        <overhead-view
+          .player=${this.#player}
+          .earlier=${this.#earlier}
+          @keydown=${this.#onViewKey}
+        ></overhead-view>
+        <chart-view .player=${this.#player} .earlier=${this.#earlier}></chart-view>
       </div>
       <lab-transport .player=${this.#player}></lab-transport>
     </section>`;

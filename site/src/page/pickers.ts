@@ -56,8 +56,8 @@ export function pickers(input: PickersInput): TemplateResult {
         @change=${onSeed}
       />
     </label>
-    <button type="button" class="icon-text" @click=${newNoise}>
-      ${icons.dice}${pickerWords.newNoise}
+    <button type="button" title=${pickerWords.newNoise} @click=${newNoise}>
+      ${icons.dice}<span>${pickerWords.newNoise}</span>
     </button>
   </div>`;
 }

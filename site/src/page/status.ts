@@ -42,7 +42,7 @@ export function status(input: StatusInput): TemplateResult {
   const { progress } = input.runtime;
   const starting = input.runtime.state === "loading";
   return html`<div class="lab-status" data-tone=${tone}>
-    <p role="status">
+    <p role="status" aria-label=${statusWords.label}>
       <span class="dot" aria-hidden="true"></span><span>${text}</span>
       ${input.note ? html`<span class="note">${input.note.text}</span>` : nothing}
     </p>

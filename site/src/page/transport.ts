@@ -85,7 +85,7 @@ export class LabTransport extends LitElement {
         @input=${this.#onSlide}
         @keydown=${(event: KeyboardEvent) => sliderKey(event, player)}
       />
-      <span class="time">${seconds(time)}<span> / ${seconds(duration)}</span></span>
+      <span class="time">${transportWords.shown(time, duration)}</span>
       <select aria-label=${transportWords.speed} @change=${this.#onPace}>
         ${PACES.map(
           (pace) => html`<option value=${pace} ?selected=${pace === this.#pace}>

@@ -41,6 +41,7 @@ export const labWords = {
 };
 
 export const statusWords = {
+  label: "Status of the run",
   cold: "Press Run to start Python and the robot.",
   starting: "Python is starting…",
   bytes: (loaded: number, total: number) => `${megabytes(loaded)} of ${megabytes(total)} MB`,
@@ -79,6 +80,7 @@ export const transportWords = {
   speed: "Speed",
   times: (speed: number) => `${speed}×`,
   toEnd: "to the end",
+  shown: (t: number, duration: number) => `${t.toFixed(1)} of ${seconds(duration)}`,
 };
 
 export const pickerWords = {

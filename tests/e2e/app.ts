@@ -1,0 +1,83 @@
+/**
+ * The site as a person finds it: by role and label. The stories use nothing else.
+ */
+import { expect, type Locator, type Page } from "@playwright/test";
+
+export class App {
+  readonly page: Page;
+  readonly run: Locator;
+  readonly stop: Locator;
+  readonly reset: Locator;
+  readonly status: Locator;
+  readonly program: Locator;
+  readonly console: Locator;
+  readonly view: Locator;
+  readonly time: Locator;
+  readonly speed: Locator;
+  readonly step: Locator;
+  readonly stepBack: Locator;
+  readonly play: Locator;
+  readonly pause: Locator;
+  readonly world: Locator;
+  readonly seed: Locator;
+  readonly problem: Locator;
+
+  constructor(page: Page) {
+    this.page = page;
+    const button = (name: string): Locator => page.getByRole("button", { name, exact: true });
+    this.run = button("Run");
+    this.stop = button("Stop");
+    this.reset = button("Reset program");
+    this.step = button("Step");
+    this.stepBack = button("Step back");
+    this.play = button("Play");
+    this.pause = button("Pause");
+    this.status = page.getByRole("status", { name: "Status of the run" });
+    this.program = page.getByRole("textbox", { name: "Program" });
+    this.console = page.getByRole("log", { name: "Console" });
+    this.view = page.getByRole("img", { name: "Overhead view" });
+    this.time = page.getByRole("slider", { name: "Time" });
+    this.speed = page.getByRole("combobox", { name: "Speed" });
+    this.world = page.getByRole("combobox", { name: "World" });
+    this.seed = page.getByRole("textbox", { name: "Seed" });
+    this.problem = page.getByRole("region", { name: "What went wrong" });
+  }
+
+  /** Opens the lab; `query` is what follows the question mark. */
+  async openLab(query = ""): Promise<void> {
+    await this.page.goto(`lab/${query && `?${query}`}`);
+    await expect(this.program).toBeVisible();
+  }
+
+  /** Writes a program over the one in the editor, as pasting does. */
+  async write(program: string): Promise<void> {
+    await this.program.click();
+    await this.page.keyboard.press("ControlOrMeta+a");
+    await this.page.keyboard.insertText(program);
+    expect(await this.text()).toBe(program);
+  }
+
+  /** The whole program; the screen holds only the lines in sight. */
+  async text(): Promise<string> {
+    return this.page
+      .locator("bugbot-lab")
+      .evaluate((lab: HTMLElement & { program: string }) => lab.program);
+  }
+
+  /** Shows the end of a run at once, so that a story need not wait for it to play. */
+  async showEndsAtOnce(): Promise<void> {
+    await this.speed.selectOption("to the end");
+  }
+
+  /** Writes a program, runs it, and waits for the end to be told. */
+  async runToEnd(program: string): Promise<void> {
+    await this.write(program);
+    await this.run.click();
+    await this.ended();
+  }
+
+  async ended(): Promise<void> {
+    await expect(this.stop).toBeDisabled();
+    await expect(this.status).not.toHaveText(/Running|starting|Ready/);
+  }
+}

@@ -1,0 +1,56 @@
+/** Nothing a learner writes is lost. */
+import { expect, test } from "./fixtures.ts";
+
+const MINE = 'print("mine")\n';
+
+test("a reload brings the program back", async ({ app, page }) => {
+  await app.openLab("world=empty");
+  await app.write(MINE);
+  await page.reload();
+  await expect(app.program).toBeVisible();
+  expect(await app.text()).toBe(MINE);
+  await expect(app.status).toContainText("Your program is back.");
+});
+
+test("Reset program goes back to the start, and can itself be undone", async ({ app, page }) => {
+  await app.openLab("world=empty");
+  const starter = await app.text();
+  await app.write(MINE);
+  await app.reset.click();
+  expect(await app.text()).toBe(starter);
+  await page.getByRole("button", { name: "Undo" }).click();
+  expect(await app.text()).toBe(MINE);
+  await app.reset.click();
+  await app.program.focus();
+  await page.keyboard.press("ControlOrMeta+z");
+  expect(await app.text()).toBe(MINE);
+});
+
+test("each world keeps its own program, and one can be brought along", async ({ app, page }) => {
+  await app.openLab("world=empty");
+  await app.write(MINE);
+  await app.world.selectOption("doorway");
+  expect(await app.text()).not.toBe(MINE);
+  await page.getByRole("button", { name: "Use the one from An empty mat here" }).click();
+  expect(await app.text()).toBe(MINE);
+  await app.program.focus();
+  await page.keyboard.press("ControlOrMeta+z");
+  await app.world.selectOption("empty");
+  expect(await app.text()).toBe(MINE);
+});
+
+test("where storage is refused a note says so, and everything else works", async ({
+  app,
+  page,
+}) => {
+  await page.addInitScript(() => {
+    Storage.prototype.setItem = () => {
+      throw new DOMException("full", "QuotaExceededError");
+    };
+  });
+  await app.openLab("world=empty");
+  await app.write(MINE);
+  await expect(app.status).toContainText("does not let the site keep your program");
+  await app.run.click();
+  await expect(app.console).toContainText("mine");
+});
