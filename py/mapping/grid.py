@@ -73,7 +73,12 @@ class Grid:
     def index_at(self, x: float, y: float) -> int | None:
         """Place in the flat list of the cell that holds a point [cm]; None beyond the mat."""
         cell = cell_of(x, y, self.cell_cm)
-        return None if cell is None else cell[1] * self.across + cell[0]
+        if cell is None:
+            return None
+        # With cells a rounding error short of a divisor of 200 (1.99999999999997 cm), the last
+        # sliver of the mat belongs to the last cell; it must not wrap into the next row.
+        last = self.across - 1
+        return self.index((min(cell[0], last), min(cell[1], last)))
 
     def centre(self, index: int) -> Point:
         """Middle of the cell at a place in the flat list [cm].
