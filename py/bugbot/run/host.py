@@ -1,6 +1,6 @@
 """Python as a program finds it during a run, and put back as it was afterwards.
 
-May import: the standard library, `bugbot.clock`, `bugbot.checks`, `bugbot.errors`,
+May import: the standard library, `bugbot.own_clock`, `bugbot.checks`, `bugbot.errors`,
 `bugbot.link`, `bugbot.run.console`.
 
 A program may do as it likes with `random`, `time`, `builtins` and the rest: the
@@ -26,9 +26,9 @@ from typing import Any, NoReturn, TextIO, cast
 
 import bugbot
 from bugbot import api, checks
-from bugbot.clock import simulated_time
 from bugbot.errors import NoThreadError
 from bugbot.link import Link
+from bugbot.own_clock import simulated_time
 from bugbot.run.console import NoKeyboard, Screen, no_input
 
 __all__ = ["hosted"]
