@@ -73,49 +73,53 @@ export class Evidence {
   }
 
   #readNewScans(): void {
-    for (; this.#scansRead < this.#trace.scanCount; this.#scansRead++) {
-      const { t, x, y, heading, beams } = this.#trace.scan(this.#scansRead);
-      for (let i = 0; i < beams.length; i += 2) {
-        const [right, up] = direction(heading + (beams[i] as number));
-        const reading = beams[i + 1] as number;
-        this.#push([t, x, y, x + reading * right, y + reading * up, reading]);
+    this.#trace.forEachBeam(this.#scansRead, (t, x, y, heading, angle, reading) => {
+      const i = STRIDE * this.#count++;
+      if (i === this.#beams.length) {
+        const wider = new Float64Array(Math.max(STRIDE * 256, 2 * i));
+        wider.set(this.#beams);
+        this.#beams = wider;
       }
-    }
-  }
-
-  #push(beam: readonly number[]): void {
-    const start = STRIDE * this.#count++;
-    if (start === this.#beams.length) {
-      const wider = new Float64Array(Math.max(STRIDE * 256, 2 * start));
-      wider.set(this.#beams);
-      this.#beams = wider;
-    }
-    this.#beams.set(beam, start);
+      const [right, up] = direction(heading + angle);
+      this.#beams[i + T] = t;
+      this.#beams[i + X] = x;
+      this.#beams[i + Y] = y;
+      this.#beams[i + END_X] = x + reading * right;
+      this.#beams[i + END_Y] = y + reading * up;
+      this.#beams[i + READING] = reading;
+    });
+    this.#scansRead = this.#trace.scanCount;
   }
 
   /** Goes through the beams that have come since this cell was last asked about. */
   #search(): void {
     const numbers = this.#beams;
+    const cell = this.#cell;
+    const right = cell.x + cell.size;
+    const top = cell.y + cell.size;
     const before = this.#touching.at(-1);
     let passed = before?.passed ?? 0;
     let ended = before?.ended ?? 0;
-    for (; this.#beamsSearched < this.#count; this.#beamsSearched++) {
-      const beam = this.#beamsSearched;
+    for (let beam = this.#beamsSearched; beam < this.#count; beam++) {
       const i = STRIDE * beam;
       const x = numbers[i + X] as number;
       const y = numbers[i + Y] as number;
       const endX = numbers[i + END_X] as number;
       const endY = numbers[i + END_Y] as number;
+      // Most beams lie wholly to one side of the cell; this is all the work they make.
+      if ((x < cell.x && endX < cell.x) || (x >= right && endX >= right)) continue;
+      if ((y < cell.y && endY < cell.y) || (y >= top && endY >= top)) continue;
       const reading = numbers[i + READING] as number;
-      if (reading < HIT_LIMIT_CM && holds(this.#cell, endX, endY)) {
+      if (reading < HIT_LIMIT_CM && holds(cell, endX, endY)) {
         ended += 1;
       } else {
         const share = reading > HIT_LIMIT_CM ? HIT_LIMIT_CM / reading : 1;
-        if (!crosses(this.#cell, x, y, share * (endX - x), share * (endY - y))) continue;
+        if (!crosses(cell, x, y, share * (endX - x), share * (endY - y))) continue;
         passed += 1;
       }
       this.#touching.push({ beam, passed, ended });
     }
+    this.#beamsSearched = this.#count;
   }
 
   #lastTouchUpTo(t: number): number {
@@ -151,37 +155,42 @@ export function holds(cell: Cell, x: number, y: number): boolean {
 
 /** Whether the segment from (x, y) by (dx, dy), ends included, has a point in a cell. */
 export function crosses(cell: Cell, x: number, y: number, dx: number, dy: number): boolean {
-  const right = cell.x + cell.size;
-  const top = cell.y + cell.size;
-  if (x < cell.x && x + dx < cell.x) return false;
-  if (x >= right && x + dx >= right) return false;
-  if (y < cell.y && y + dy < cell.y) return false;
-  if (y >= top && y + dy >= top) return false;
-  // The part of the segment, in shares of its length, that lies in the cell's column and row.
-  let enter = 0;
-  let leave = 1;
-  let enterOpen = false;
-  let leaveOpen = false;
-  for (const [start, step, low, high] of [
-    [x, dx, cell.x, right],
-    [y, dy, cell.y, top],
-  ] as const) {
-    if (step === 0) continue; // within the cell's column or row: the rejections above saw to it
-    const atLow = (low - start) / step;
-    const atHigh = (high - start) / step;
-    const first = Math.min(atLow, atHigh);
-    const last = Math.max(atLow, atHigh);
-    // The high edge is not the cell's own: going down, the segment enters just after it.
-    const firstOpen = step < 0;
-    const lastOpen = step > 0;
-    if (first > enter || (first === enter && firstOpen)) {
-      enter = first;
-      enterOpen = firstOpen;
-    }
-    if (last < leave || (last === leave && lastOpen)) {
-      leave = last;
-      leaveOpen = lastOpen;
-    }
+  const column = within(x, dx, cell.x, cell.x + cell.size);
+  const row = within(y, dy, cell.y, cell.y + cell.size);
+  if (!column || !row) return false;
+  const enter = Math.max(column.enter, row.enter);
+  const leave = Math.min(column.leave, row.leave);
+  if (enter !== leave) return enter < leave;
+  // One point in common: in the cell unless it is on an edge that is not the cell's own.
+  const beforeEntry = [column, row].some((part) => part.enter === enter && part.entersAfter);
+  const beyondExit = [column, row].some((part) => part.leave === leave && part.leavesBefore);
+  return !beforeEntry && !beyondExit;
+}
+
+/** The shares of a segment's length at which it is between two edges, the high one excluded. */
+interface Part {
+  enter: number;
+  leave: number;
+  /** True if it is not yet between them at `enter`, or no longer at `leave`. */
+  entersAfter: boolean;
+  leavesBefore: boolean;
+}
+
+/** Along one axis; null if the segment is never between the edges. */
+function within(start: number, step: number, low: number, high: number): Part | null {
+  if (step === 0) {
+    const inside = start >= low && start < high;
+    return inside ? { enter: 0, leave: 1, entersAfter: false, leavesBefore: false } : null;
   }
-  return enter < leave || (enter === leave && !enterOpen && !leaveOpen);
+  const atLow = (low - start) / step;
+  const atHigh = (high - start) / step;
+  const enter = Math.max(0, Math.min(atLow, atHigh));
+  const leave = Math.min(1, Math.max(atLow, atHigh));
+  if (enter > leave) return null;
+  return {
+    enter,
+    leave,
+    entersAfter: step < 0 && enter === atHigh,
+    leavesBefore: step > 0 && leave === atHigh,
+  };
 }

@@ -150,37 +150,60 @@ export class Trace {
     };
   }
 
-  /** The way from one time to another: x, y, x, y, … [cm]. */
-  trail(from: number, to: number): Float64Array {
+  /**
+   * The way from one time to another: x, y, x, y, … [cm]. Of poses less than `apartCm` from the
+   * last one kept, only the final one is in it.
+   */
+  trail(from: number, to: number, apartCm = 0): Float64Array {
     const { poses } = this.#store;
+    const xs = poses.columns.x.view();
+    const ys = poses.columns.y.view();
     const first = poses.indexAt(from) + 1;
     const end = Math.max(first, poses.indexAt(to) + 1);
     const way = new Float64Array(2 * (end - first + 2));
-    const put = (i: number, x: number, y: number) => {
-      way[2 * i] = x;
-      way[2 * i + 1] = y;
+    let { x, y } = this.poseAt(from);
+    let length = 0;
+    const keep = (nextX: number, nextY: number) => {
+      way[length++] = x = nextX;
+      way[length++] = y = nextY;
     };
-    const a = this.poseAt(from);
-    put(0, a.x, a.y);
-    const { x, y } = poses.columns;
-    for (let i = first; i < end; i++) put(i - first + 1, x.at(i), y.at(i));
-    const b = this.poseAt(to);
-    put(end - first + 1, b.x, b.y);
-    return way;
+    keep(x, y);
+    for (let i = first; i < end; i++) {
+      const nextX = xs[i] as number;
+      const nextY = ys[i] as number;
+      if (Math.abs(nextX - x) + Math.abs(nextY - y) >= apartCm) keep(nextX, nextY);
+    }
+    const last = this.poseAt(to);
+    keep(last.x, last.y);
+    return way.subarray(0, length);
   }
 
   get scanCount(): number {
     return this.#store.scans.length;
   }
 
-  scan(index: number): Scan {
-    return this.#store.scan(index);
+  /**
+   * Each beam of the scans from number `first` on: the pose it was taken from, its angle from
+   * straight ahead, its reading. Makes no objects: a long run has 50,000 beams.
+   */
+  forEachBeam(
+    first: number,
+    use: (t: number, x: number, y: number, heading: number, angle: number, cm: number) => void,
+  ): void {
+    const { scans, beams } = this.#store;
+    const { t, x, y, heading, firstBeam } = scans.columns;
+    for (let i = first; i < scans.length; i++) {
+      const end = i + 1 < scans.length ? firstBeam.at(i + 1) : beams.length;
+      for (let k = firstBeam.at(i); k < end; k += 2) {
+        use(t.at(i), x.at(i), y.at(i), heading.at(i), beams.at(k), beams.at(k + 1));
+      }
+    }
   }
 
   /** The last look of the depth sensor at or before a time. */
   scanAt(t: number): Scan | null {
     const index = this.#store.scans.indexAt(t);
-    return index < 0 ? null : this.scan(index);
+    return index < 0 ? null : this.#store.scan(index);
   }
 
   /** What is drawn at a time, one layer a name, in order of first drawing. */

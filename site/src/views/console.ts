@@ -1,8 +1,8 @@
 /**
  * <console-view>: what the program has printed up to the shown moment.
  *
- * Set `player`, and `note` for a line of the page's own at the end. Stays at the bottom unless the
- * reader has scrolled up. May import `trace`, `player` and `ui`.
+ * Set `player`, and `note` for a line of the page's own at the end. May import `trace`, `player`
+ * and `ui`.
  */
 import { html, LitElement, type TemplateResult } from "lit";
 import type { Player } from "../player/player.ts";
@@ -11,8 +11,6 @@ import { consoleWords as words } from "../ui/view-words.ts";
 import "./console.css";
 import { ConsoleLines, type PrintedLine } from "./console-lines.ts";
 
-/** Scrolled up by less than this still counts as being at the bottom [pixels]. */
-const BOTTOM_PX = 8;
 /** More new lines than this at once are not read out: nobody could follow. */
 const READ_OUT_LINES = 10;
 
@@ -51,16 +49,16 @@ export class ConsoleView extends LitElement {
     const { trace, time } = this.player;
     const quiet = trace.printsUpTo(time) === 0 && this.note === "";
     return html`<div class="console-log" role="log" aria-label=${words.name} tabindex="0">
-      <p class="console-left" hidden></p>
-      <div class="console-lines"></div>
-      <p class="console-note">${quiet ? words.empty : this.note}</p>
+      <div class="console-text">
+        <p class="console-left" hidden></p>
+        <div class="console-lines"></div>
+        <p>${quiet ? words.empty : this.note}</p>
+      </div>
     </div>`;
   }
 
   override updated(): void {
     const { trace, time } = this.player;
-    const log = this.#part(".console-log");
-    const atBottom = log.scrollHeight - log.scrollTop - log.clientHeight < BOTTOM_PX;
     const prints = trace.printsUpTo(time);
     if (this.#lines?.trace !== trace) {
       this.#lines = { trace, of: new ConsoleLines(trace.prints) };
@@ -68,9 +66,8 @@ export class ConsoleView extends LitElement {
     }
     if (prints !== this.#shownPrints) {
       this.#shownPrints = prints;
-      this.#show(this.#lines.of.after(prints), log);
+      this.#show(this.#lines.of.after(prints));
     }
-    if (atBottom) log.scrollTop = log.scrollHeight;
   }
 
   #part(selector: string): HTMLElement {
@@ -80,7 +77,7 @@ export class ConsoleView extends LitElement {
   }
 
   /** Changes only the rows that have to change: most often one is added at the end. */
-  #show(lines: readonly PrintedLine[], log: HTMLElement): void {
+  #show(lines: readonly PrintedLine[]): void {
     const kept = new Map(this.#rows.map((row) => [row.number, row]));
     let added = 0;
     let inError = false;
@@ -93,7 +90,7 @@ export class ConsoleView extends LitElement {
       added += 1;
       return { number: line.number, key, element: rowOf(line, begins) };
     });
-    log.ariaLive = added > READ_OUT_LINES ? "off" : "polite";
+    this.#part(".console-log").ariaLive = added > READ_OUT_LINES ? "off" : "polite";
     place(
       this.#part(".console-lines"),
       rows.map((row) => row.element),

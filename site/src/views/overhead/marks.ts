@@ -42,8 +42,8 @@ export function paintTouch(
 export function paintCells(
   ctx: CanvasRenderingContext2D,
   camera: Camera,
-  cells: readonly Cell[],
   palette: Palette,
+  cells: readonly Cell[],
   colour: string,
 ) {
   ctx.beginPath();

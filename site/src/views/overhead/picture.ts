@@ -18,6 +18,9 @@ import { paintBeams, paintBumps, paintNote, paintRobot, paintTrail } from "./rob
 /** Only the last so many touches are marked: a robot that leans on a wall leaves thousands. */
 const MOST_BUMPS = 200;
 
+/** Points of the trail nearer to each other than this would be drawn for nothing. */
+const TRAIL_CM = 0.5;
+
 /** Everything the picture shows. */
 export interface Moment {
   trace: Trace;
@@ -60,7 +63,7 @@ export class MatPicture {
     if (!this.#holds(moment)) this.#paintMap(moment);
     ctx.clearRect(0, 0, camera.width, camera.height);
     ctx.drawImage(this.#map, 0, 0);
-    paintTrail(ctx, camera, palette, trace.trail(0, t));
+    paintTrail(ctx, camera, palette, trace.trail(0, t, TRAIL_CM));
     paintBumps(ctx, camera, palette, trace.bumpsUpTo(t, MOST_BUMPS));
     const scan = trace.scanAt(t);
     if (scan) paintBeams(ctx, camera, palette, scan);
