@@ -4,4 +4,4 @@ import sys
 
 from bugbot.cli import main
 
-sys.exit(main(sys.argv[1:]))
+sys.exit(main(sys.argv[1:], in_child=True))

@@ -12,47 +12,98 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 from bugbot import worlds
-from bugbot.errors import WorldError
-from bugbot.run import outcome_of, run_program
+from bugbot.errors import BugbotError, WorldError
+from bugbot.picture import PictureError, save_picture
+from bugbot.run import Limits, outcome_of, run_program
+from bugbot.supervisor import supervised
 from bugbot.trace import Trace
 
 __all__ = ["main"]
 
 _USAGE = 2
 
-
-def main(arguments: list[str]) -> int:
-    """Do what the arguments say; returns the exit status."""
-    options = _parser().parse_args(arguments)
-    try:
-        return _run(options) if options.command == "run" else _worlds(options)
-    except (_UsageError, WorldError) as error:
-        print(f"bugbot: {error}", file=sys.stderr)
-        return _USAGE
+_end_process = os._exit  # during a run the name belongs to the program
 
 
-class _UsageError(Exception):
+class _UsageError(BugbotError):
     """Something about the command itself is wrong."""
 
 
+def main(arguments: list[str], *, limits: Limits | None = None, in_child: bool = False) -> int:
+    """Do what the arguments say; returns the exit status.
+
+    With `in_child` the program runs in a process of its own, which can always be ended.
+    """
+    options = _parser().parse_args(arguments)
+    try:
+        if options.command == "worlds":
+            return _worlds(options.json)
+        return _run(options, limits or Limits(), in_child)
+    except (_UsageError, WorldError) as error:
+        return _refuse(error)
+
+
+def _refuse(error: BugbotError) -> int:
+    print(f"bugbot: {error}", file=sys.stderr)
+    return _USAGE
+
+
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="python -m bugbot", description="The simulated robot.")
+    parser = argparse.ArgumentParser(
+        prog="python -m bugbot", description="Run programs for the simulated robot."
+    )
     commands = parser.add_subparsers(dest="command", required=True, metavar="run|worlds")
     run = commands.add_parser("run", help="run a program on a world")
-    run.add_argument("file", metavar="FILE", help="the program; - reads it from the keyboard")
-    run.add_argument("--world", default="empty", help="name of a world, or a world's .json file")
-    run.add_argument("--seed", type=int, default=1, help="of the noise (default 1)")
-    run.add_argument("--json", action="store_true", help="print the outcome as JSON")
+    run.add_argument("file", metavar="FILE", help="the program's file; - reads standard input")
+    run.add_argument("--world", default="empty", help="a world's name or .json file (empty)")
+    run.add_argument("--seed", type=int, default=1, help="of the noise and of random (1)")
+    run.add_argument("--json", action="store_true", help="print the outcome as JSON, only that")
     run.add_argument("--trace", type=Path, metavar="OUT", help="save the trace to this file")
     run.add_argument("--png", type=Path, metavar="OUT", help="save a picture of the end")
     listing = commands.add_parser("worlds", help="list the worlds")
-    listing.add_argument("--json", action="store_true", help="whole, as JSON")
+    listing.add_argument("--json", action="store_true", help="in full, as JSON")
     return parser
+
+
+def _run(options: argparse.Namespace, limits: Limits, in_child: bool) -> int:
+    source = _read(options.file)
+    world = worlds.load(options.world)
+    name = "program.py" if options.file == "-" else Path(options.file).name
+    out, err = sys.stdout, sys.stderr
+
+    def work(trace_ready: Callable[[Trace], None]) -> int:
+        trace = run_program(
+            source,
+            world,
+            options.seed,
+            limits=limits,
+            filename=name,
+            trace_ready=trace_ready,
+            on_stuck=give_up if in_child else None,
+        )
+        return report(trace)
+
+    def give_up(trace: Trace) -> None:
+        # The program swallows every interruption: all that is left is to go.
+        sys.stdout, sys.stderr = out, err
+        status = report(trace)
+        out.flush()
+        err.flush()
+        _end_process(status)
+
+    def report(trace: Trace) -> int:
+        try:
+            return _report(trace, options)
+        except (_UsageError, PictureError) as error:
+            return _refuse(error)
+
+    return supervised(work, limits.silent_s, report) if in_child else work(lambda _: None)
 
 
 def _read(file: str) -> str:
@@ -67,30 +118,36 @@ def _read(file: str) -> str:
         raise _UsageError(f"{file} is not UTF-8 text: see line {line}") from None
 
 
-def _run(options: argparse.Namespace) -> int:
-    source = _read(options.file)
-    name = "program.py" if options.file == "-" else Path(options.file).name
-    trace = run_program(source, options.world, options.seed, filename=name)
+def _report(trace: Trace, options: argparse.Namespace) -> int:
     outcome = outcome_of(trace)
-    if options.trace is not None:
-        with options.trace.open("w", encoding="utf-8") as file:
-            trace.save(file)
     if options.json:
         print(json.dumps(outcome, ensure_ascii=False))
     else:
-        _show(trace, outcome)
+        for event in trace.of_kind("print"):
+            print(event["text"], end="", file=getattr(sys, event["stream"]))
+        for fault in trace.of_kind("fault"):
+            print(fault["traceback"], end="", file=sys.stderr)
+            if fault["hint"] is not None:
+                print(fault["hint"], file=sys.stderr)
+        print(outcome["message"], file=sys.stderr)
+    if options.trace is not None:
+        _save(trace, options.trace)
+    if options.png is not None:
+        save_picture(trace, options.png)
     return 0 if outcome["status"] == "finished" else 1
 
 
-def _show(trace: Trace, outcome: dict[str, Any]) -> None:
-    for event in trace.of_kind("print"):
-        print(event["text"], end="", file=getattr(sys, event["stream"]))
-    print(outcome["message"], file=sys.stderr)
+def _save(trace: Trace, path: Path) -> None:
+    try:
+        with path.open("w", encoding="utf-8") as file:
+            trace.save(file)
+    except OSError as error:
+        raise _UsageError(f"can't write {path}: {error.strerror}") from None
 
 
-def _worlds(options: argparse.Namespace) -> int:
+def _worlds(as_json: bool) -> int:
     every = [worlds.load(name) for name in worlds.names()]
-    if options.json:
+    if as_json:
         print(json.dumps([world.to_dict() for world in every], ensure_ascii=False, indent=2))
     else:
         for world in every:

@@ -248,11 +248,7 @@ class Trace:
 
 
 def storable(text: str) -> str:
-    """The text without what UTF-8 can't hold (half of a surrogate pair becomes U+FFFD).
-
-    >>> storable("20 cm \\ud83e")
-    '20 cm ���'
-    """
+    """The text without what UTF-8 can't hold: half of a surrogate pair becomes U+FFFD."""
     if text.isascii():
         return text
     return text.encode("utf-8", "surrogatepass").decode("utf-8", "replace")

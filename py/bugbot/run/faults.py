@@ -20,7 +20,7 @@ import bugbot
 from bugbot.errors import BugbotError
 from bugbot.run.slips import likely_cause
 from bugbot.run.slips.arguments import plain_arguments
-from bugbot.run.slips.case import Case
+from bugbot.run.slips.case import Case, lines_of
 from bugbot.trace import storable
 
 __all__ = ["Fault", "fault_of", "learner_lines"]
@@ -46,7 +46,7 @@ class Fault:
 
 def fault_of(error: BaseException, source: str, filename: str) -> Fault:
     """What to tell of this error in the program `filename` with this text."""
-    case = _case(error, source.splitlines(), filename)
+    case = _case(error, lines_of(source), filename)
     message = _message(case, error)
     hint = likely_cause(case)
     if _is_our_fault(error, filename):
@@ -89,7 +89,7 @@ def _frames(error: BaseException, filename: str) -> list[tuple[int, str]]:
 def _case(error: BaseException, lines: list[str], filename: str) -> Case:
     """The error as the slips look at it."""
     text = _text(error)
-    if isinstance(error, SyntaxError) and error.filename == filename:
+    if isinstance(error, SyntaxError) and not learner_lines(error, filename):
         line = _real_line(error.lineno or _line_with_null(lines), lines)
         return Case(error, error.msg, line, lines, {}, filename)
     if isinstance(error, BaseExceptionGroup) and not learner_lines(error, filename):

@@ -30,6 +30,7 @@ from bugbot.errors import NoThreadError
 from bugbot.link import Link
 from bugbot.own_clock import simulated_time
 from bugbot.run.console import NoKeyboard, Screen, no_input
+from bugbot.run.slips.case import lines_of
 
 __all__ = ["hosted"]
 
@@ -59,7 +60,7 @@ def hosted(
         undo.enter_context(simulated_time(link.now, _sleeper(link)))
 
         sys.modules["__main__"] = module
-        lines = source.splitlines(keepends=True)
+        lines = [f"{line}\n" for line in lines_of(source)]
         linecache.cache[filename] = (len(source), None, lines, filename)
         random.seed(seed)
         sys.setrecursionlimit(_depth() + _RECURSION)

@@ -82,7 +82,7 @@ class Meter:
         )
 
     def silence(self, frame: FrameType | None) -> None:
-        """The run computes, in this frame, without time passing: it is over. The watchdog raises."""
+        """The run is over: it computes, in this frame, and no time passes. The watchdog raises."""
         self.line = self._line_of(frame)
         self.over = LimitReached(
             f"after {self.limits.silent_s:g} s of computing in which no simulated time passed: "

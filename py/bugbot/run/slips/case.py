@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from bugbot import api
 
-__all__ = ["CALLS", "Case", "Slip", "bare_calls"]
+__all__ = ["CALLS", "Case", "Slip", "bare_calls", "lines_of"]
 
 CALLS = tuple(name for name in api.__all__ if name not in ("Robot", "go"))
 """The robot's calls."""
@@ -57,6 +57,11 @@ class Case:
         if name in self.scope:
             return self.scope[name]
         return vars(builtins)[name]
+
+
+def lines_of(source: str) -> list[str]:
+    """The lines of a program as Python counts them, without their ends."""
+    return source.replace("\r\n", "\n").replace("\r", "\n").split("\n")
 
 
 Slip = Callable[[Case], str | None]

@@ -8,6 +8,7 @@ Their remarks are added to the message of the end.
 from __future__ import annotations
 
 import ast
+import warnings
 from collections.abc import Iterator
 from math import pi
 
@@ -31,7 +32,10 @@ def remarks(source: str, link: Link) -> list[str]:
         return ["The program is empty."]
     found = list(_about_the_run(link))
     if len(source) <= _LONGEST_READ:
-        found += _about_the_text(ast.parse(source))
+        with warnings.catch_warnings():  # they have been shown when the program was compiled
+            warnings.simplefilter("ignore")
+            tree = ast.parse(source)
+        found += _about_the_text(tree)
     return found[:_MOST_REMARKS]
 
 
