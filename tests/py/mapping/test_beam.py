@@ -1,5 +1,6 @@
 """What one reading says: beams whose cells can be counted on paper."""
 
+from itertools import pairwise
 from math import inf, nan
 
 import pytest
@@ -83,6 +84,7 @@ def test_bresenham_by_hand():
     assert bresenham((3, 3), (3, 3)) == [(3, 3)]
     assert bresenham((0, 0), (3, 0)) == [(0, 0), (1, 0), (2, 0), (3, 0)]
     assert bresenham((0, 0), (-2, -2)) == [(0, 0), (-1, -1), (-2, -2)]
+    assert bresenham((0, 0), (4, 2)) == [(0, 0), (1, 0), (2, 1), (3, 1), (4, 2)], "half way: stay"
     assert bresenham((0, 0), (1, 3)) == [(0, 0), (0, 1), (1, 2), (1, 3)]
     assert bresenham((0, 0), (6, -4)) == [
         (0, 0),
@@ -101,7 +103,7 @@ def test_a_line_of_cells_has_both_ends_no_gap_and_no_detour(first, last):
     assert line[0] == first
     assert line[-1] == last
     assert len(line) == 1 + max(abs(last[0] - first[0]), abs(last[1] - first[1]))
-    for here, there in zip(line, line[1:], strict=False):
+    for here, there in pairwise(line):
         assert max(abs(there[0] - here[0]), abs(there[1] - here[1])) == 1
 
 
@@ -132,7 +134,7 @@ def test_a_line_of_cells_is_the_same_in_every_mirror(first, last):
 @given(places, places, angles, st.floats(0, 200), st.integers(1, 40))
 def test_steps_leave_no_gap_between_cells(x, y, angle, length, cell_cm):
     passed = passed_by_steps(x, y, angle, length, cell_cm)
-    for here, there in zip(passed, passed[1:], strict=False):
+    for here, there in pairwise(passed):
         assert max(abs(there[0] - here[0]), abs(there[1] - here[1])) <= 1
 
 

@@ -29,6 +29,13 @@ def test_the_cell_that_holds_a_point():
     assert grid.index_at(199.999, 199.999) == 8
 
 
+def test_the_last_sliver_of_the_mat_is_in_the_last_cell():
+    grid = Grid(1.9999999999999716)  # 100 of them end 3e-12 cm before the edge
+    assert grid.across == 100
+    assert grid.index_at(199.99999999999997, 0) == 99
+    assert grid.index_at(0, 199.99999999999997) == 9900
+
+
 @pytest.mark.parametrize("point", [(-0.001, 5), (5, -0.001), (200, 5), (5, 200), (1e9, 5)])
 def test_beyond_the_mat_is_no_cell(point):
     assert three_by_three().index_at(*point) is None

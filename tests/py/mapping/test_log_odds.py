@@ -10,11 +10,11 @@ from mapping.log_odds import clamped, log_odds, probability
 
 
 @pytest.mark.parametrize(
-    ("p", "l"), [(0.5, 0), (0.75, log(3)), (0.25, -log(3)), (0.9, log(9)), (0.1, -log(9))]
+    ("p", "odds"), [(0.5, 0), (0.75, log(3)), (0.25, -log(3)), (0.9, log(9)), (0.1, -log(9))]
 )
-def test_the_table_both_ways(p, l):
-    assert log_odds(p) == pytest.approx(l)
-    assert probability(l) == pytest.approx(p)
+def test_the_table_both_ways(p, odds):
+    assert log_odds(p) == pytest.approx(odds)
+    assert probability(odds) == pytest.approx(p)
 
 
 def test_the_evidence_of_the_lessons_is_what_it_is_called():
@@ -34,15 +34,15 @@ def test_probability_undoes_log_odds(p):
 
 
 @given(st.floats(-30, 30))
-def test_log_odds_undoes_probability(l):
+def test_log_odds_undoes_probability(odds):
     # Near p = 1 a float has few digits left to say how near.
-    assert log_odds(probability(l)) == pytest.approx(l, rel=1e-3, abs=1e-9)
+    assert log_odds(probability(odds)) == pytest.approx(odds, rel=1e-3, abs=1e-9)
 
 
 @given(st.floats(allow_nan=False))
-def test_any_log_odds_have_a_probability_and_its_mirror(l):
-    assert 0 <= probability(l) <= 1
-    assert probability(l) + probability(-l) == pytest.approx(1)
+def test_any_log_odds_have_a_probability_and_its_mirror(odds):
+    assert 0 <= probability(odds) <= 1
+    assert probability(odds) + probability(-odds) == pytest.approx(1)
 
 
 @given(st.floats(0.01, 0.99), st.floats(0.01, 0.99))
@@ -52,8 +52,8 @@ def test_adding_log_odds_is_bayes_rule(prior, p):
 
 
 @given(st.floats(-100, 100), st.floats(0.1, 50))
-def test_clamping_keeps_what_is_within_and_its_sign(l, limit):
-    kept = clamped(l, limit)
+def test_clamping_keeps_what_is_within_and_its_sign(odds, limit):
+    kept = clamped(odds, limit)
     assert -limit <= kept <= limit
-    assert kept == l or abs(kept) == limit
-    assert kept * l >= 0
+    assert kept == odds or abs(kept) == limit
+    assert kept * odds >= 0
