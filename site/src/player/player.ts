@@ -16,6 +16,9 @@ export type RequestFrame = (callback: (now: number) => void) => unknown;
 /** A frame that comes later than this has been held up, by a hidden tab say: no leap then [s]. */
 const LONGEST_FRAME_S = 0.25;
 
+/** A wait or a drive of many seconds is one thing the program does, but not one to leap over [s]. */
+const LONGEST_STEP_S = 0.5;
+
 /**
  * Fires `change` after anything has changed (time, trace, playing, speed), at most once a frame.
  */
@@ -113,14 +116,22 @@ export class Player extends EventTarget {
     this.#changed();
   }
 
-  /** Pauses and goes to the next (+1) or previous (-1) time at which the program did something. */
+  /**
+   * Pauses and goes to the next (+1) or previous (-1) time at which the program did something, or
+   * half a second on the way there.
+   */
   step(by: 1 | -1): void {
     const { ticks } = this.#trace;
     const here = ticks.lastUpTo(this.#time);
     const between = ticks.at(here) < this.#time;
-    const index = by === 1 ? here + 1 : between ? here : here - 1;
+    const index = Math.max(0, by === 1 ? here + 1 : between ? here : here - 1);
+    const tick = index < ticks.length ? ticks.at(index) : this.duration;
     this.pause();
-    this.seek(index < ticks.length ? ticks.at(Math.max(index, 0)) : this.duration);
+    this.seek(
+      by === 1
+        ? Math.min(tick, this.#time + LONGEST_STEP_S)
+        : Math.max(tick, this.#time - LONGEST_STEP_S),
+    );
   }
 
   toStart(): void {

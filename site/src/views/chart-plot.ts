@@ -5,6 +5,18 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { joined, type Line, type Role, short } from "./chart-data.ts";
+import { tokenColours } from "./tokens.ts";
+
+const TOKENS = {
+  ink: "--ink-soft",
+  grid: "--line",
+  a: "--chart-1",
+  b: "--chart-2",
+  c: "--chart-3",
+  d: "--chart-4",
+  e: "--chart-5",
+  f: "--chart-6",
+} as const;
 
 /** One pattern a line, besides its colour: solid, dashed, dotted, … */
 const DASHES: readonly (readonly number[])[] = [[], [7, 4], [2, 3], [10, 3, 2, 3], [14, 4], [5, 2]];
@@ -27,14 +39,13 @@ export function makePlot(
   names: readonly string[],
   { lastTime, onSeek }: PlotOptions,
 ): uPlot {
-  const style = getComputedStyle(frame);
-  const token = (name: string): string => resolved(frame, name);
-  const colourOf = (name: string): string => token(`--chart-${1 + (names.indexOf(name) % 6)}`);
-  const font = `11px ${style.fontFamily}`;
+  const colours = tokenColours(frame, TOKENS);
+  const lineColours = [colours.a, colours.b, colours.c, colours.d, colours.e, colours.f];
+  const colourOf = (name: string): string => lineColours[names.indexOf(name) % 6] ?? colours.ink;
   const axis: uPlot.Axis = {
-    stroke: token("--ink-soft"),
-    font,
-    grid: { stroke: token("--line"), width: 1 },
+    stroke: colours.ink,
+    font: `11px ${getComputedStyle(frame).fontFamily}`,
+    grid: { stroke: colours.grid, width: 1 },
     ticks: { show: false },
     gap: 6,
   };
@@ -106,17 +117,6 @@ function seekWithPointer(plot: uPlot, onSeek: (t: number) => void): void {
   over.addEventListener("pointermove", (event) => {
     if (over.hasPointerCapture(event.pointerId)) seek(event);
   });
-}
-
-/** A colour token as a canvas wants it. */
-function resolved(element: HTMLElement, token: string): string {
-  const probe = document.createElement("span");
-  probe.hidden = true;
-  probe.style.color = `var(${token})`;
-  element.append(probe);
-  const { color } = getComputedStyle(probe);
-  probe.remove();
-  return color;
 }
 
 /** The same colour, to fill a band with. */

@@ -7,7 +7,7 @@ import type { Layer, Shape } from "../../trace/events.ts";
 import { overheadWords as words } from "../../ui/view-words.ts";
 
 /** A legend of more layers than this would be longer than the picture. */
-const MOST_KEYS = 12;
+const MOST_KEYS = 8;
 
 export interface Legend {
   /** Every layer of the run, as it was drawn last. */

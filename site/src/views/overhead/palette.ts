@@ -1,7 +1,8 @@
 /**
- * The mat's colours for the canvas, from the design tokens, which a canvas cannot read by itself.
- * Imports nothing of ours.
+ * The mat's colours and letters, from the design tokens. May import `views/tokens`.
  */
+import { tokenColours } from "../tokens.ts";
+
 const TOKENS = {
   ink: "--ink-soft",
   mat: "--mat",
@@ -21,16 +22,5 @@ export type Palette = Readonly<Record<keyof typeof TOKENS | "font", string>>;
 
 /** The tokens as they are now for an element. */
 export function readPalette(element: HTMLElement): Palette {
-  const probe = document.createElement("span");
-  probe.hidden = true;
-  element.append(probe);
-  const computed = getComputedStyle(probe);
-  const colours = Object.entries(TOKENS).map(([name, token]) => {
-    probe.style.color = `var(${token})`;
-    return [name, computed.color];
-  });
-  probe.style.fontFamily = "var(--ui)";
-  const palette = { ...Object.fromEntries(colours), font: computed.fontFamily };
-  probe.remove();
-  return palette;
+  return { ...tokenColours(element, TOKENS), font: getComputedStyle(element).fontFamily };
 }

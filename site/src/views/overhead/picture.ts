@@ -64,11 +64,11 @@ export class MatPicture {
     ctx.clearRect(0, 0, camera.width, camera.height);
     ctx.drawImage(this.#map, 0, 0);
     paintTrail(ctx, camera, palette, trace.trail(0, t, TRAIL_CM));
-    paintBumps(ctx, camera, palette, trace.bumpsUpTo(t, MOST_BUMPS));
     const scan = trace.scanAt(t);
     if (scan) paintBeams(ctx, camera, palette, scan);
     const pose = trace.poseAt(t);
     paintRobot(ctx, camera, palette, pose, trace.ledAt(t));
+    paintBumps(ctx, camera, palette, trace.bumpsUpTo(t, MOST_BUMPS));
     if (trace.beepAt(t)) paintNote(ctx, camera, palette, pose);
     this.#dim(ctx);
     paintCells(ctx, camera, palette, moment.different, palette.differs);
