@@ -5,16 +5,18 @@ from __future__ import annotations
 import ast
 import json
 import sys
+import time
 from collections.abc import Callable
-from time import perf_counter  # the real clock: kept before a run puts the simulated one in its place
 from typing import Any
-
-from pyodide.ffi import to_js  # type: ignore[import-not-found]  # exists only in the browser
 
 from bugbot.run import Limits, run_program
 from bugbot.trace import Trace
+from pyodide.ffi import to_js  # type: ignore[import-not-found]  # exists only in the browser
 
 __all__ = ["missing_modules", "run"]
+
+real_time = time.perf_counter
+"""Kept before a run puts simulated time in its place."""
 
 FLUSH_SECONDS = 0.016
 """What was recorded goes to the page at most once a frame."""
@@ -56,14 +58,14 @@ class _Sender:
         self._trace = trace
 
     def flush_if_due(self) -> None:
-        if perf_counter() - self._sent_at >= FLUSH_SECONDS:
+        if real_time() - self._sent_at >= FLUSH_SECONDS:
             self.flush()
 
     def flush(self) -> None:
         if self._trace is not None:
             events, points = self._trace.take()
             self._send(events, to_js(points))
-        self._sent_at = perf_counter()
+        self._sent_at = real_time()
 
 
 def run(
@@ -71,26 +73,19 @@ def run(
     world_json: str,
     seed: int,
     limits_json: str,
-    recursion_limit: int,
     send: Callable[[str, Any], None],
 ) -> None:
     """Run a program and send its trace; the last chunk holds the end event.
 
     `send(events, points)` takes the rows as JSON text and the new points as a Uint8Array.
-    `recursion_limit` is Python's own limit on the depth of calls.
     """
     sender = _Sender(send)
-    before = sys.getrecursionlimit()
-    sys.setrecursionlimit(recursion_limit)
-    try:
-        run_program(
-            program,
-            json.loads(world_json),
-            seed,
-            limits=Limits(**json.loads(limits_json)),
-            trace_ready=sender.follow,
-            on_flush=sender.flush_if_due,
-        )
-    finally:
-        sys.setrecursionlimit(before)
+    run_program(
+        program,
+        json.loads(world_json),
+        seed,
+        limits=Limits(**json.loads(limits_json)),
+        trace_ready=sender.follow,
+        on_flush=sender.flush_if_due,
+    )
     sender.flush()

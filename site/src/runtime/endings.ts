@@ -42,6 +42,7 @@ export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
           "Calls went deeper than the browser allows: a function keeps calling itself.",
           line,
           ending.message,
+          "A function that calls itself needs an if that ends it, and must come nearer to that.",
         );
       }
       if (ending.reason === "fatal") {
@@ -74,9 +75,10 @@ function fault(
   message: string,
   line: number | null,
   detail: string,
+  hint: string | null = null,
 ): Chunk {
   return chunk([
-    ["fault", t, type, message, line, null, detail],
+    ["fault", t, type, message, line, hint, detail],
     ["end", t, "fault", message],
   ]);
 }

@@ -55,8 +55,6 @@ export type ToWorker =
       world: World;
       seed: number;
       limits: Limits;
-      /** Python's own limit on the depth of calls. */
-      recursionLimit: number;
     }
   | { kind: "stdlib"; bytes: ArrayBuffer }
   | { kind: "package"; name: string; bytes: ArrayBuffer };

@@ -15,15 +15,11 @@ import type { Interpreter, Pool } from "./pool.ts";
 export type Workers = Pick<Pool, "take" | "prepare">;
 
 export interface RunListeners {
-  /** The trace has grown. It may be another one than before: see `Run.trace`. */
+  /** The trace has grown. */
   onChunk?(trace: Trace): void;
   /** Something to show while waiting, such as "Loading NumPy: 40 % of 3.1 MB". */
   onNote?(text: string): void;
 }
-
-const RECURSION_LIMIT = 1000;
-/** Deep enough for honest work, shallow enough for every engine's stack, even through C. */
-const CAREFUL_RECURSION_LIMIT = 150;
 
 export class Run {
   readonly done: Promise<Trace>;
@@ -32,10 +28,10 @@ export class Run {
   readonly #listeners: RunListeners;
   readonly #workers: Workers;
   readonly #assets: Assets;
-  #trace: Trace;
+  readonly #trace: Trace;
   #interpreter: Interpreter | null = null;
   #end: (ending: Ending) => void = () => {};
-  #stopped = false;
+  #ended = false;
 
   constructor(request: RunRequest, listeners: RunListeners, workers: Workers, assets: Assets) {
     this.#request = request;
@@ -47,73 +43,46 @@ export class Run {
     this.done = this.#carryOut();
   }
 
-  /**
-   * What the run has left so far. When the interpreter broke on deep recursion the program is run
-   * again with a lower limit, and this is then the new run's trace.
-   */
+  /** What the run has left so far. */
   get trace(): Trace {
     return this.#trace;
   }
 
   /** End the run now; what it has left so far is kept. Nothing happens if it has ended. */
   stop(): void {
-    this.#stopped = true;
     this.#end({ kind: "stopped" });
   }
 
   async #carryOut(): Promise<Trace> {
-    let ending = await this.#attempt(RECURSION_LIMIT);
-    if (ending.kind === "died" && ending.reason === "recursion" && ending.line === null) {
-      const broken = this.#trace;
-      this.#trace = new Trace(headerOf(this.#request));
-      const second = await this.#attempt(CAREFUL_RECURSION_LIMIT);
-      // Runs are repeatable, so the second meets the same recursion, and may tell its line.
-      const told = this.#trace.fault?.type === "RecursionError" || second.kind === "died";
-      if (told || second.kind === "stopped") ending = second;
-      else this.#trace = broken;
-    }
+    const ended = new Promise<Ending>((resolve) => {
+      this.#end = resolve;
+    });
+    const watch = new Watch(this.#limits.silent_s, () => this.#end({ kind: "silent" }));
+    this.#begin(watch).catch((error: unknown) => this.#end(ourFault(error)));
+    const ending = await ended;
+    watch.end();
+    this.#ended = true;
+    this.#interpreter?.end();
+    // A failure to have the next one ready shows when it is needed.
+    this.#workers.prepare().catch(() => {});
     if (!this.#trace.complete) this.#trace.append(explain(ending, this.#trace, this.#limits));
     this.#listeners.onChunk?.(this.#trace);
     return this.#trace;
   }
 
-  async #attempt(recursionLimit: number): Promise<Ending> {
-    const ended = new Promise<Ending>((resolve) => {
-      this.#end = resolve;
-    });
-    if (this.#stopped) return { kind: "stopped" };
-    const watch = new Watch(this.#limits.silent_s, () => this.#end({ kind: "silent" }));
-    this.#begin(recursionLimit, watch).catch((error: unknown) => this.#end(ourFault(error)));
-    const ending = await ended;
-    watch.end();
-    this.#interpreter?.end();
-    this.#interpreter = null;
-    // A failure to have the next one ready shows when it is needed.
-    this.#workers.prepare().catch(() => {});
-    return ending;
-  }
-
-  async #begin(recursionLimit: number, watch: Watch): Promise<void> {
+  async #begin(watch: Watch): Promise<void> {
     const interpreter = await this.#workers.take();
-    if (this.#stopped) {
+    if (this.#ended) {
       interpreter.end();
       return;
     }
     this.#interpreter = interpreter;
     await this.#provideModules(interpreter);
-    // Stopped meanwhile: the interpreter has been ended, and must not be spoken to.
-    if (this.#interpreter !== interpreter) return;
+    // Ended meanwhile, and the interpreter with it: it must not be spoken to.
+    if (this.#ended) return;
     interpreter.listen((message) => this.#receive(message, watch));
     const { program, world, seed } = this.#request;
-    interpreter.send({
-      kind: "run",
-      id: 0,
-      program,
-      world,
-      seed,
-      limits: this.#limits,
-      recursionLimit,
-    });
+    interpreter.send({ kind: "run", id: 0, program, world, seed, limits: this.#limits });
     watch.begin(() => this.#workers.prepare().catch(() => {}));
   }
 

@@ -4,6 +4,7 @@
  */
 import type { PyodideAPI } from "pyodide";
 import type { Boot } from "../runtime/messages.ts";
+import type { LastWords } from "./last-words.ts";
 import { bareGlobals } from "./lockdown.ts";
 
 const SITE_PACKAGES = "/lib/python3.14/site-packages";
@@ -40,7 +41,9 @@ interface Loader {
   loadPyodide(config: Record<string, unknown>): Promise<PyodideAPI>;
 }
 
-export async function startInterpreter(boot: Boot): Promise<PyodideAPI> {
+/** A started interpreter; what it writes to its own error output goes to `lastWords`. */
+export async function startInterpreter(boot: Boot, lastWords: LastWords): Promise<PyodideAPI> {
+  console.error = (...parts: unknown[]) => lastWords.hear(parts.map(String).join(" "));
   answerFetchesFrom(boot);
   const [loader, factory] = await Promise.all([
     import(/* @vite-ignore */ `${boot.pyodideUrl}pyodide.mjs`) as Promise<Loader>,
@@ -51,6 +54,10 @@ export async function startInterpreter(boot: Boot): Promise<PyodideAPI> {
     indexURL: boot.pyodideUrl,
     env: { HOME: "/home/pyodide", PYTHONHASHSEED: "0" },
     jsglobals: bareGlobals(),
+    // A program's own printing has been taken by bugbot before it comes here. The stack of a broken
+    // interpreter comes on stdout, of all places.
+    stdout: (text: string) => lastWords.hear(text),
+    stderr: (text: string) => lastWords.hear(text),
     // Packages are unpacked by hand: the lock file would only be fetched and parsed for nothing.
     lockFileContents: { info: lockInfo(), packages: {} },
     ...(boot.snapshot ? { _loadSnapshot: boot.snapshot.arrayBuffer().then(toBytes) } : {}),
@@ -72,6 +79,19 @@ export async function startInterpreter(boot: Boot): Promise<PyodideAPI> {
     pyodide.FS.writeFile(target, text);
   }
   return pyodide;
+}
+
+/**
+ * Have a broken interpreter write its Python stack to its error output. Pyodide does so itself, but
+ * when the stack of the engine is full there is no room left for the writing; here there is.
+ */
+export function writePythonStack(pyodide: PyodideAPI): void {
+  const { _module } = pyodide as PyodideAPI & { _module?: { _dump_traceback?: () => void } };
+  try {
+    _module?._dump_traceback?.();
+  } catch {
+    // It is broken: what it has written is all there is.
+  }
 }
 
 /** Put the standard library's archive where the interpreter looks for it. */

@@ -1,6 +1,6 @@
 /**
- * What a dying interpreter says. When Python breaks beyond repair, Pyodide writes the Python stack
- * to the console, and only there: it is kept here, for the learner's line and for us.
+ * What a dying interpreter says. When Python breaks beyond repair, it writes the Python stack
+ * to its error output, and only there: it is kept here, for the learner's line and for us.
  * Imports nothing of ours.
  */
 
@@ -9,11 +9,8 @@ const MOST_LINES = 100;
 export class LastWords {
   #lines: string[] = [];
 
-  /** From now on the worker's console.error is kept here and shown nowhere. */
-  listen(): void {
-    console.error = (...parts: unknown[]) => {
-      if (this.#lines.length < MOST_LINES) this.#lines.push(parts.map(String).join(" "));
-    };
+  hear(line: string): void {
+    if (this.#lines.length < MOST_LINES) this.#lines.push(line);
   }
 
   /** The innermost line of the program on the stack that was written, if there was one. */

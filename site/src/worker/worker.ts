@@ -7,7 +7,7 @@
  */
 import type { PyodideAPI } from "pyodide";
 import type { Boot, FromWorker, ToWorker } from "../runtime/messages.ts";
-import { installStdlib, installWheel, startInterpreter } from "./interpreter.ts";
+import { installStdlib, installWheel, startInterpreter, writePythonStack } from "./interpreter.ts";
 import { LastWords } from "./last-words.ts";
 import { CLOSE_IMPORTS, lockDown } from "./lockdown.ts";
 
@@ -19,7 +19,6 @@ interface Session {
     worldJson: string,
     seed: number,
     limitsJson: string,
-    recursionLimit: number,
     send: (events: string, points: Uint8Array) => void,
   ): void;
 }
@@ -45,12 +44,11 @@ class Interpreter {
   }
 
   async #start(boot: Boot): Promise<void> {
-    const pyodide = await startInterpreter(boot);
+    const pyodide = await startInterpreter(boot, this.#lastWords);
     this.#pyodide = pyodide;
     this.#session = pyodide.pyimport("bridge.session") as Session;
     pyodide.runPython(CLOSE_IMPORTS);
     lockDown();
-    this.#lastWords.listen();
     this.#port.onmessage = (event: MessageEvent<ToWorker>) => this.#receive(event.data);
     this.#send({ kind: "ready" });
   }
@@ -86,7 +84,6 @@ class Interpreter {
       JSON.stringify(request.world),
       request.seed,
       JSON.stringify(request.limits),
-      request.recursionLimit,
       (events, points) => {
         const buffer = points.slice().buffer;
         this.#send({ kind: "chunk", id, events, points: buffer }, [buffer]);
@@ -102,6 +99,7 @@ class Interpreter {
     // Python's own exceptions are faults of ours (a learner's come out in the trace); anything
     // else, such as a stack that overflowed or a failed assertion, has killed the interpreter.
     const ours = error instanceof Error && error.name === "PythonError";
+    if (!ours && this.#pyodide) writePythonStack(this.#pyodide);
     const detail = error instanceof Error && error.stack ? error.stack : message;
     this.#send({
       kind: "died",
