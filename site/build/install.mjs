@@ -22,8 +22,10 @@ export function ensureInstalled() {
   const stamp = join(CACHE, "installed");
   const current = existsSync(stamp) && readFileSync(stamp, "utf8") === lock;
   if (current && existsSync(join(ROOT, "node_modules"))) return;
-  console.log("installing packages (npm ci)");
-  run("npm", ["ci", "--no-audit", "--no-fund", "--loglevel=error"]);
+  console.log("installing packages");
+  // Not `npm ci`: it refuses a lock file that lacks another platform's binaries, and some registries
+  // serve only those of their own. This installs what the lock file says all the same.
+  run("npm", ["install", "--no-save", "--no-audit", "--no-fund", "--loglevel=error"]);
   write(stamp, lock);
 }
 
