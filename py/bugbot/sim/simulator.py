@@ -55,7 +55,7 @@ class Simulator:
         self._speeds = (0.0, 0.0, 0.0)
         self._bumped = False
         self._place = (self.x, self.y, self.heading)
-        self._still_until: float | None = None
+        self._recorded_t = self._still_until = 0.0
         trace.add("pose", 0.0, *self._place)
 
     # -- commands ------------------------------------------------------------
@@ -163,10 +163,11 @@ class Simulator:
             return
         self._record_standing()
         self._place = place
+        self._recorded_t = self._still_until = self.t
         self._trace.add("pose", self.t, *place)
 
     def _record_standing(self) -> None:
         """Record the last moment the robot stood where it stands, if it has not been."""
-        if self._still_until is not None:
+        if self._still_until > self._recorded_t:
+            self._recorded_t = self._still_until
             self._trace.add("pose", self._still_until, *self._place)
-            self._still_until = None
