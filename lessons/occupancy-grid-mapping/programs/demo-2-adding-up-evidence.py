@@ -8,19 +8,19 @@ from bugbot import *
 import math
 
 # Numbers to change
-L_OCC = 0.85    # added to the cell a beam ended in (0 to 2)
-L_FREE = -0.4   # added at each half-cell step a beam passed (-1 to 0)
-L_MAX = 8       # log odds stay between -L_MAX and L_MAX (1 to 100)
-KNOWN = 1       # log odds beyond this, either way, count as known (0.5 to 5)
-SPEED = 50      # how fast to drive, per cent (10 to 100)
+L_OCC = 0.85  # added to the cell a beam ended in (0 to 2)
+L_FREE = -0.4  # added at each half-cell step a beam passed (-1 to 0)
+L_MAX = 8  # log odds stay between -L_MAX and L_MAX (1 to 100)
+KNOWN = 1  # log odds beyond this, either way, count as known (0.5 to 5)
+SPEED = 50  # how fast to drive, per cent (10 to 100)
 
 # The mat
-CELL = 5               # cm per cell
-MAT = 200              # side of the mat [cm]
-FAR = 170              # no wall is marked from a reading this long or longer [cm]
-START = (100, 40)      # where the robot stands; position() counts from there
+CELL = 5  # cm per cell
+MAT = 200  # side of the mat [cm]
+FAR = 170  # no wall is marked from a reading this long or longer [cm]
+START = (100, 40)  # where the robot stands; position() counts from there
 ACROSS = math.ceil(MAT / CELL)
-log_odds = [0.0] * (ACROSS * ACROSS)    # row after row, from the bottom; 0 is unknown
+log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom; 0 is unknown
 
 # The four cells to watch, by their middles. The wall begins at y = 150.
 WATCHED = {
@@ -42,10 +42,10 @@ def cell_at(x, y):
 
 def add_beam(x, y, angle, reading):
     """Add what one beam says: free floor all the way, and a hit where it ended."""
-    dx = math.sin(math.radians(angle))    # angles are clockwise from up the mat,
-    dy = math.cos(math.radians(angle))    # so x goes by sine and y by cosine
+    dx = math.sin(math.radians(angle))  # angles are clockwise from up the mat,
+    dy = math.cos(math.radians(angle))  # so x goes by sine and y by cosine
     step = CELL / 2
-    clear = reading - CELL if reading < FAR else FAR    # stop one cell short of a hit
+    clear = reading - CELL if reading < FAR else FAR  # stop one cell short of a hit
     evidence = [(i * step, L_FREE) for i in range(int(clear / step))]
     if reading < FAR:
         evidence.append((reading, L_OCC))
@@ -80,7 +80,7 @@ def show():
 
 
 forward(SPEED)
-for tick in range(100):    # 10 seconds
+for tick in range(100):  # 10 seconds
     look()
     for name, (x, y) in WATCHED.items():
         plot(name, log_odds[cell_at(x, y)])

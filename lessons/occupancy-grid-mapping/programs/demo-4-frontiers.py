@@ -7,19 +7,20 @@ from bugbot import *
 import math
 
 # Numbers to change
-OCC_P = 0.65      # a cell is occupied when its probability is above this (0.5 to 0.99)
-FREE_P = 0.35     # and free when it is below this (0.01 to 0.5)
-MIN_REGION = 5    # frontier regions of fewer cells are left out (1 to 20)
-SPARE = 6         # cm from the robot's middle to any wall, at least (5 to 9)
+OCC_P = 0.65  # a cell is occupied when its probability is above this (0.5 to 0.99)
+FREE_P = 0.35  # and free when it is below this (0.01 to 0.5)
+MIN_REGION = 5  # frontier regions of fewer cells are left out (1 to 20)
+SPARE = 6  # cm from the robot's middle to any wall, at least (5 to 9)
 
 # The mat and the evidence, as in demo 1
-CELL, MAT, FAR = 5, 200, 170    # [cm]
+CELL, MAT, FAR = 5, 200, 170  # [cm]
 START = (100, 25)
 L_OCC, L_FREE, L_MAX = 0.85, -0.4, 8
 ACROSS = math.ceil(MAT / CELL)
 log_odds = [0.0] * (ACROSS * ACROSS)
-CENTRES = [((column + 0.5) * CELL, (row + 0.5) * CELL)
-           for row in range(ACROSS) for column in range(ACROSS)]
+CENTRES = [
+    ((column + 0.5) * CELL, (row + 0.5) * CELL) for row in range(ACROSS) for column in range(ACROSS)
+]
 
 
 def add_beam(x, y, angle, reading):
@@ -42,12 +43,12 @@ def beside(cell):
     return [r * ACROSS + c for c, r in around if 0 <= c < ACROSS and 0 <= r < ACROSS]
 
 
-BESIDE = [beside(cell) for cell in range(len(log_odds))]    # worked out once
+BESIDE = [beside(cell) for cell in range(len(log_odds))]  # worked out once
 
 
 def read_map():
     """The map as sets of cells: free, occupied, and the frontier; the rest is unknown."""
-    free_below = math.log(FREE_P / (1 - FREE_P))        # the thresholds as log odds
+    free_below = math.log(FREE_P / (1 - FREE_P))  # the thresholds as log odds
     occupied_above = math.log(OCC_P / (1 - OCC_P))
     free = {cell for cell, l in enumerate(log_odds) if l < free_below}
     occupied = {cell for cell, l in enumerate(log_odds) if l > occupied_above}
@@ -61,7 +62,7 @@ def find_regions(frontier):
     left, regions = set(frontier), []
     while left:
         region = [left.pop()]
-        for cell in region:    # the list grows while we walk along it
+        for cell in region:  # the list grows while we walk along it
             new = left.intersection(BESIDE[cell])
             region.extend(new)
             left -= new
@@ -74,10 +75,10 @@ def straight_way(start, goal, free, walls):
     steps = math.ceil(math.dist(start, goal) / CELL)
     for i in range(1, steps + 1):
         x, y = (a + (b - a) * i / steps for a, b in zip(start, goal))
-        if math.floor(y / CELL) * ACROSS + math.floor(x / CELL) not in free:
+        on_free = math.floor(y / CELL) * ACROSS + math.floor(x / CELL) in free
+        if not on_free or min(x, y, MAT - x, MAT - y) < SPARE:
             return False
-        to_wall = min(math.dist((x, y), wall) - CELL / 2 for wall in walls)
-        if min(to_wall, x, y, MAT - x, MAT - y) < SPARE:
+        if any(math.dist((x, y), wall) < SPARE + CELL / 2 for wall in walls):
             return False
     return True
 
@@ -86,8 +87,8 @@ def choose_goal(start):
     """Middle of the nearest cell of a large enough region that can be reached, or None."""
     free, occupied, frontier = read_map()
     walls = [CENTRES[cell] for cell in occupied]
-    goals = [CENTRES[cell] for region in find_regions(frontier)
-             if len(region) >= MIN_REGION for cell in region]
+    regions = [region for region in find_regions(frontier) if len(region) >= MIN_REGION]
+    goals = [CENTRES[cell] for region in regions for cell in region]
     for goal in sorted(goals, key=lambda goal: (math.dist(start, goal), goal)):
         if straight_way(start, goal, free, walls):
             return goal
@@ -128,8 +129,8 @@ if goal is None:
 else:
     draw("goal", [goal], "red", "dots", 5)
     bearing = math.degrees(math.atan2(goal[0] - x, goal[1] - y))
-    turn((bearing - heading() + 180) % 360 - 180)    # the shorter way round
-    forward(100)                                     # 11.5 cm a second
+    turn((bearing - heading() + 180) % 360 - 180)  # the shorter way round
+    forward(100)  # 11.5 cm a second
     keep_mapping(math.dist((x, y), goal) / 11.5)
     right(30)
     keep_mapping(8)
