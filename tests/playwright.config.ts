@@ -1,6 +1,7 @@
 /**
- * Two projects, one runner: `unit` is plain TypeScript with no page (decode, player, camera, …),
- * `e2e` drives the built site in a browser, from a plain static host below a folder.
+ * One runner: `unit` is plain TypeScript with no page (decode, player, camera, …),
+ * `e2e` and `e2e-phone` drive the built site in a browser, from a plain static host below a folder,
+ * or the site at the address SITE if that is set (with its slash at the end).
  *
  *     npx playwright test -c tests/playwright.config.ts --project unit
  */
@@ -9,30 +10,48 @@ import { BROWSER_ARGS, findBrowser } from "./browser.mjs";
 
 const PORT = 4174;
 const FOLDER = "/some/school/";
+const SITE = process.env.SITE;
 const executablePath = findBrowser();
+
+const browser = {
+  testDir: "e2e",
+  // A run may wait for an interpreter on a busy machine of two cores.
+  timeout: 60_000,
+  expect: { timeout: 15_000 },
+};
+const launchOptions = { args: BROWSER_ARGS, ...(executablePath ? { executablePath } : {}) };
 
 export default defineConfig({
   forbidOnly: Boolean(process.env.CI),
   fullyParallel: true,
   outputDir: "../test-results",
   reporter: process.env.CI ? [["list"], ["html", { open: "never" }]] : "list",
-  use: { baseURL: `http://127.0.0.1:${PORT}${FOLDER}`, trace: "retain-on-failure" },
-  webServer: {
-    command: `node tests/static-server.mjs ${PORT} ${FOLDER}`,
-    cwd: "..",
-    port: PORT,
-    reuseExistingServer: !process.env.CI,
-  },
+  use: { baseURL: SITE ?? `http://127.0.0.1:${PORT}${FOLDER}`, trace: "retain-on-failure" },
+  ...(SITE
+    ? {}
+    : {
+        webServer: {
+          command: `node tests/static-server.mjs ${PORT} ${FOLDER}`,
+          cwd: "..",
+          port: PORT,
+          reuseExistingServer: !process.env.CI,
+        },
+      }),
   projects: [
     { name: "unit", testDir: "unit" },
     {
       name: "e2e",
-      testDir: "e2e",
-      // A run may wait for an interpreter on a busy machine of two cores.
-      timeout: 60_000,
-      expect: { timeout: 15_000 },
+      ...browser,
+      use: { viewport: { width: 1280, height: 800 }, launchOptions },
+    },
+    {
+      name: "e2e-phone",
+      ...browser,
       use: {
-        launchOptions: { args: BROWSER_ARGS, ...(executablePath ? { executablePath } : {}) },
+        viewport: { width: 390, height: 844 },
+        hasTouch: true,
+        isMobile: true,
+        launchOptions,
       },
     },
   ],

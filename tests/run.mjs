@@ -10,6 +10,6 @@ ensureBrowser();
 console.log("\n== build");
 await build();
 step("browser tests", () =>
-  run("npx", ["playwright", "test", "--config", "tests/playwright.config.ts", "--project=e2e"]),
+  run("npx", ["playwright", "test", "--config", "tests/playwright.config.ts", "--project=e2e*"]),
 );
 console.log(`\nall tests passed in ${Math.round((Date.now() - start) / 1000)} s`);

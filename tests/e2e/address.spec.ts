@@ -22,13 +22,11 @@ test("an unknown world is named, with those there are", async ({ app, page }) =>
   await expect(app.seed).toHaveValue("3");
 });
 
-for (const seed of ["abc", "-1", "1.5", "99999999999", ""]) {
-  test(`a seed of "${seed}" in the address is refused in words`, async ({ app, page }) => {
-    await app.openLab(`world=empty&seed=${seed}`);
-    await expect(page.getByRole("alert")).toContainText("not a whole number from 0 to");
-    await expect(app.seed).toHaveValue("1");
-  });
-}
+test("a bad seed in the address is refused in words", async ({ app, page }) => {
+  await app.openLab("world=empty&seed=abc");
+  await expect(page.getByRole("alert")).toContainText("“abc” is not a whole number from 0 to");
+  await expect(app.seed).toHaveValue("1");
+});
 
 test("a seed that is none is put back, with the reason", async ({ app }) => {
   await app.openLab("world=empty&seed=5");

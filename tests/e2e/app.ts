@@ -57,6 +57,15 @@ export class App {
     expect(await this.text()).toBe(program);
   }
 
+  /** Puts a program into the lab as a page does: for one too long to be typed. */
+  async setProgram(program: string): Promise<void> {
+    await this.page
+      .locator("bugbot-lab")
+      .evaluate((lab: HTMLElement & { program: string }, text) => {
+        lab.program = text;
+      }, program);
+  }
+
   /** The whole program; the screen holds only the lines in sight. */
   async text(): Promise<string> {
     return this.page

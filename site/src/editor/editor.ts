@@ -154,6 +154,8 @@ function extensions(options: EditorOptions): Extension {
     EditorView.contentAttributes.of({
       "aria-label": editorWords.name,
       "aria-describedby": options.describedBy,
+      // A contenteditable element can be reached anyway; this says so to those who check.
+      tabindex: "0",
       autocapitalize: "off",
       autocorrect: "off",
       spellcheck: "false",

@@ -1,0 +1,39 @@
+/** No page breaks a rule of WCAG 2.2 AA that axe knows, in either theme, before and after a run. */
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { expect, test } from "./fixtures.ts";
+import { FAILS_ON_LINE_4, LOOK_ROUND } from "./programs.ts";
+
+async function violations(page: Page): Promise<string[]> {
+  const tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
+  const found = await new AxeBuilder({ page }).withTags(tags).analyze();
+  return found.violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id} at ${target.join(" ")}: ${failureSummary}`),
+  );
+}
+
+for (const theme of ["Light", "Dark"]) {
+  test(`the home page, ${theme.toLowerCase()}`, async ({ page }) => {
+    await page.goto("./");
+    await page.getByRole("combobox", { name: "Colours" }).selectOption(theme);
+    expect(await violations(page)).toEqual([]);
+  });
+
+  test(`the lab, ${theme.toLowerCase()}`, async ({ app, page }) => {
+    await app.openLab("world=empty");
+    await page.getByRole("combobox", { name: "Colours" }).selectOption(theme);
+    expect(await violations(page)).toEqual([]);
+    await app.runToEnd(LOOK_ROUND);
+    expect(await violations(page)).toEqual([]);
+    await app.runToEnd(FAILS_ON_LINE_4);
+    expect(await violations(page)).toEqual([]);
+  });
+}
+
+test("the chosen colours are remembered", async ({ page }) => {
+  await page.goto("./");
+  await page.getByRole("combobox", { name: "Colours" }).selectOption("Dark");
+  await page.goto("lab/");
+  await expect(page.getByRole("combobox", { name: "Colours" })).toHaveValue("dark");
+  await expect(page.locator("html")).toHaveAttribute("data-theme", "dark");
+});
