@@ -52,7 +52,9 @@ def run_calls() -> Callable[..., Ran]:
     """The same with `from bugbot import *` before it, on line 1."""
 
     def run_with_calls(program: str, *world_and_seed: Any, **options: Any) -> Ran:
-        return _run("from bugbot import *\n" + dedent(program).lstrip("\n"), *world_and_seed, **options)
+        return _run(
+            "from bugbot import *\n" + dedent(program).lstrip("\n"), *world_and_seed, **options
+        )
 
     return run_with_calls
 
@@ -71,7 +73,9 @@ def robot() -> Iterator[Link]:
         yield link
 
 
-def world_with(*obstacles: tuple[float, float, float, float], at: tuple[float, ...] = (100, 100, 0)) -> World:
+def world_with(
+    *obstacles: tuple[float, float, float, float], at: tuple[float, ...] = (100, 100, 0)
+) -> World:
     """A world with these rectangles (x, y, width, height) and the robot at (x, y, heading)."""
     return World.from_dict(
         {

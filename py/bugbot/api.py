@@ -352,7 +352,7 @@ def led(colour: Any = "off", green: float | None = None, blue: float | None = No
 
 
 def beep(freq: float, ms: float = 200) -> None:
-    """Sound a tone. The program goes on at once.
+    """Sound a tone while the program goes on.
 
     freq: pitch in Hz, 20 to 20000; 440 is the A above middle C
     ms: how long in milliseconds, 0 to 10000
@@ -424,6 +424,7 @@ def connect(*address: object, **options: object) -> Robot:
     >>> robot = connect()
     >>> robot.forward(50, distance=10)
     """
+    active("connect()")
     return Robot(*address, **options)
 
 

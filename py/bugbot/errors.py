@@ -18,6 +18,7 @@ mistake is not said here: that is the work of `bugbot.run.slips`.
 
 from __future__ import annotations
 
+import re
 from difflib import get_close_matches
 from reprlib import Repr
 from typing import TYPE_CHECKING
@@ -81,7 +82,8 @@ def got(value: object) -> str:
     if callable(value) and isinstance(name, str):
         return f"the {'class' if isinstance(value, type) else 'function'} {name}"
     try:
-        return _short.repr(value)
+        # Where a thing lies in memory tells nobody anything, and differs from run to run.
+        return re.sub(r" at 0x[0-9a-fA-F]+", "", _short.repr(value))
     except Exception:
         return f"something of type {type(value).__name__}"
 

@@ -126,7 +126,9 @@ def test_taking_hands_over_only_what_is_new() -> None:
 def test_files_are_little_endian_on_every_machine(monkeypatch: pytest.MonkeyPatch) -> None:
     trace = recorded()
     little = saved(trace)
-    monkeypatch.setattr(trace_module.sys, "byteorder", "big" if sys.byteorder == "little" else "little")
+    monkeypatch.setattr(
+        trace_module.sys, "byteorder", "big" if sys.byteorder == "little" else "little"
+    )
     assert saved(trace)[-1] != little[-1]
     assert Trace.load(saved(trace)).points == trace.points
 
