@@ -1,10 +1,9 @@
 from math import hypot, sqrt
 
 import pytest
+from bugbot.sim.motion import first_touch, speeds
 from hypothesis import assume, given
 from hypothesis import strategies as st
-
-from bugbot.sim.motion import first_touch, speeds
 
 BOX = (120.0, 120.0, 140.0, 130.0)  # left, bottom, right, top
 RADIUS = 5.0
@@ -143,7 +142,7 @@ def test_no_step_ends_in_or_passes_through_anything(
     for part in range(11):
         at = (x + share * dx * part / 10, y + share * dy * part / 10)
         assert gap(*at) >= RADIUS - 1e-6
-        assert RADIUS - 1e-6 <= min(at)
+        assert min(at) >= RADIUS - 1e-6
         assert max(at) <= 200 - RADIUS + 1e-6
 
 

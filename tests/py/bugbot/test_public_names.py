@@ -5,9 +5,8 @@ import inspect
 import pkgutil
 from collections.abc import Callable
 
-import pytest
-
 import bugbot
+import pytest
 from bugbot import api
 from bugbot.link import Link, connected
 from bugbot.run.slips.case import CALLS

@@ -1,16 +1,16 @@
+import itertools
 from collections.abc import Callable
-from math import hypot, radians, sin, cos, pi
+from math import cos, hypot, pi, radians, sin
 from typing import Any
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
-
 from bugbot import worlds
 from bugbot.frames import turn_between
 from bugbot.sim.simulator import Simulator
 from bugbot.trace import Trace
 from bugbot.worlds import World
+from hypothesis import given
+from hypothesis import strategies as st
 
 Worlds = Callable[..., World]
 
@@ -155,7 +155,7 @@ def test_whatever_it_is_told_it_never_enters_anything_and_time_never_goes_back(
     sim.finish()
     for pose in trace.of_kind("pose"):
         x, y = pose["x"], pose["y"]
-        assert 5 - 1e-6 <= min(x, y)
+        assert min(x, y) >= 5 - 1e-6
         assert max(x, y) <= 195 + 1e-6
         assert all(each.gap(x, y) >= 5 - 1e-6 for each in worlds.load(name).obstacles)
         assert 0 <= pose["heading"] < 360
@@ -172,7 +172,7 @@ def test_poses_are_close_enough_together_to_be_joined_by_lines() -> None:
     poses = list(trace.of_kind("pose"))
     assert poses[0]["t"] == 0
     assert poses[-1]["t"] == sim.t
-    for before, after in zip(poses, poses[1:], strict=False):
+    for before, after in itertools.pairwise(poses):
         assert before["t"] < after["t"]
         still = all(before[key] == after[key] for key in ("x", "y", "heading"))
         assert still or after["t"] - before["t"] <= 0.1

@@ -5,11 +5,10 @@ from array import array
 from typing import Any
 
 import pytest
+from bugbot import trace as trace_module
+from bugbot.trace import KINDS, Trace, TraceError, storable
 from hypothesis import given
 from hypothesis import strategies as st
-
-from bugbot.trace import KINDS, Trace, TraceError, storable
-from bugbot import trace as trace_module
 
 WORLD = {"name": "empty"}
 
@@ -76,7 +75,7 @@ def test_a_layer_drawn_again_unchanged_stores_no_points() -> None:
 @pytest.mark.parametrize("wrong", [float("nan"), float("inf")])
 def test_a_layer_without_finite_points_is_refused_and_nothing_is_kept(wrong: float) -> None:
     trace = Trace("", WORLD, 0)
-    with pytest.raises(ValueError, match="nan|inf"):
+    with pytest.raises(ValueError, match=r"nan|inf"):
         trace.layer(0, "a", [(1, 2), (3, wrong)], "red", "dots", 2)
     assert trace.events == []
     assert len(trace.points) == 0

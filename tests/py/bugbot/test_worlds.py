@@ -4,7 +4,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
 from bugbot import worlds
 from bugbot.errors import WorldError
 from bugbot.frames import MAT_CM, ROBOT_RADIUS_CM
@@ -77,7 +76,7 @@ def test_the_robot_starts_with_room_all_round(name: str) -> None:
     world = worlds.load(name)
     start = world.start
     assert all(each.gap(start.x, start.y) > 2 * ROBOT_RADIUS_CM for each in world.obstacles)
-    assert 10 <= min(start.x, start.y, MAT_CM - start.x, MAT_CM - start.y)
+    assert min(start.x, start.y, MAT_CM - start.x, MAT_CM - start.y) >= 10
 
 
 @pytest.mark.parametrize("name", sorted(set(worlds.names()) - {"wall-ahead"}))
