@@ -15,7 +15,7 @@ export const overheadWords = {
   cursor: "Cell cursor",
   cursorHelp: "The arrow keys move by a cell, with Shift by five. Escape puts the cursor away.",
   legend: "Shown on the mat",
-  ask: "Point at a cell, or press the arrow keys on the mat, to see what speaks for it.",
+  ask: "Point at or tap a cell, or press the arrow keys on the mat, to see what speaks for it.",
   bare: "bare mat",
   truth: "really there",
   differs: "unlike the run before",
@@ -26,7 +26,8 @@ export const overheadWords = {
   /** Of a moment. */
   robot: (x: number, y: number, heading: number) =>
     `robot at (${Math.round(x)}, ${Math.round(y)}) cm, heading ${Math.round(heading) % 360}°`,
-  layers: (counts: readonly string[]) => counts.join(", ") || "nothing drawn",
+  layers: (counts: readonly string[], more: number) =>
+    `${counts.join(", ") || "nothing drawn"}${more > 0 ? ` and ${more} more` : ""}`,
   ahead: (name: string, distance: number) => `${name} ${Math.round(distance)} cm ahead`,
   clear: (distance: number) => `nothing within ${distance} cm ahead`,
 
@@ -38,7 +39,7 @@ export const overheadWords = {
   isThing: (name: string) => `really the ${name}`,
   untouched: "No beam of this run has touched it so far.",
   evidence: (passed: number, ended: number) =>
-    `So far ${beams(passed)} passed through it and ${ended} ended in it`,
+    `So far ${beams(passed)} passed through it and ${ended || "none"} ended in it`,
   last: (t: number, reading: number, ended: boolean) =>
     `the last, at ${seconds(t)}, read ${cm(reading)} cm and ${ended ? "ended here" : "passed"}`,
 };

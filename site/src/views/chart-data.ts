@@ -151,7 +151,9 @@ function field(text: string): string {
   return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/** A value in a few signs: 64.1, -0.4, 12345. */
+/** A value in a few signs: 64.1, -0.4, 12345, 1.235e+7. */
 export function short(value: number): string {
-  return Math.abs(value) >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(4)));
+  const size = Math.abs(value);
+  if (size >= 1e6) return value.toExponential(3);
+  return size >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(4)));
 }

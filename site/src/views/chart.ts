@@ -114,7 +114,7 @@ export class ChartView extends LitElement {
         aria-label=${words.name}
         aria-describedby="${this.#id}-moment"
       ></div>
-      ${names.length === 0 ? html`<p class="chart-empty">${words.empty}</p>` : nothing}
+      ${names.length === 0 ? html`<p class="chart-empty"><span>${words.empty}</span></p>` : nothing}
       <p class="out-of-sight" id="${this.#id}-moment">${words.moment(names.length, time)}</p>
       <details class="chart-table" @toggle=${this.#onTable}>
         <summary>${words.table}</summary>

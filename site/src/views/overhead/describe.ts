@@ -12,13 +12,19 @@ import { overheadWords as words } from "../../ui/view-words.ts";
 /** What lies further ahead than this is not worth a word [cm]. */
 const AHEAD_CM = 40;
 
+/** A sentence that lists more layers than this is of no help. */
+const MOST_LAYERS = 8;
+
 /** "robot at (100, 112) cm, heading 90°; 901 free, 115 occupied; nothing within 40 cm ahead" */
 export function describeMoment(trace: Trace, t: number, layers: readonly Layer[]): string {
   const pose = trace.poseAt(t);
   const ahead = aheadOf(trace.header.world, pose);
   return [
     words.robot(pose.x, pose.y, pose.heading),
-    words.layers(layers.map((layer) => `${layer.count} ${layer.name}`)),
+    words.layers(
+      layers.slice(0, MOST_LAYERS).map((layer) => `${layer.count} ${layer.name}`),
+      layers.length - MOST_LAYERS,
+    ),
     ahead.cm <= AHEAD_CM ? words.ahead(ahead.name, ahead.cm) : words.clear(AHEAD_CM),
   ].join("; ");
 }

@@ -2,27 +2,35 @@
  * What the program has drawn: dots, squares, lines and text, straight from the point store.
  * May import `trace` and, in this folder, `camera` and `palette`.
  */
-import { type Layer, POINTS_PER_CM } from "../../trace/events.ts";
+import { type Layer, POINTS_PER_CM, type Shape } from "../../trace/events.ts";
 import type { Camera } from "./camera.ts";
 
-/** Of a layer with more points only so many are drawn: nobody could tell more apart. */
-const MOST_POINTS = 40_000;
+/** What drawing one point takes, next to filling a square. */
+const WORK: Record<Shape, number> = { squares: 1, line: 1, dots: 2, text: 20 };
+/** Of one text only so much is drawn. */
+const MOST_LETTERS = 100;
 /** Points in one path: with many more, filling a path takes longer than in proportion. */
 const PATH_POINTS = 400;
 /** Squares at least so wide are drawn with a gap between them, so that they can be counted. */
 const GAP_FROM_PX = 5;
 
+/**
+ * Paints as many of the points as `work` allows (a square takes 1) and returns how much is left of
+ * it: a program may draw millions of points, and nobody could tell them apart.
+ */
 export function paintLayer(
   ctx: CanvasRenderingContext2D,
   camera: Camera,
   layer: Layer,
   stored: Int16Array,
   font: string,
-) {
-  const points = stored.subarray(0, 2 * MOST_POINTS);
+  work: number,
+): number {
+  const points = stored.subarray(0, 2 * Math.floor(work / WORK[layer.shape]));
   ctx.fillStyle = ctx.strokeStyle = layer.colour;
   const paint = { dots, squares, line, text };
   paint[layer.shape](ctx, camera, layer, points, font);
+  return work - (points.length / 2) * WORK[layer.shape];
 }
 
 const x = (camera: Camera, points: Int16Array, i: number) =>
@@ -76,6 +84,10 @@ function text(
   ctx.textAlign = "center";
   ctx.textBaseline = "middle";
   for (let i = 0; i < points.length; i += 2) {
-    ctx.fillText(layer.texts?.[i / 2] ?? "", x(camera, points, i), y(camera, points, i));
+    ctx.fillText(
+      layer.texts?.[i / 2]?.slice(0, MOST_LETTERS) ?? "",
+      x(camera, points, i),
+      y(camera, points, i),
+    );
   }
 }

@@ -2,7 +2,7 @@
  * What is on the mat, what it counts, and the switches for it.
  * May import `trace` and `ui`.
  */
-import { html, nothing, svg, type TemplateResult } from "lit";
+import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 import type { Layer, Shape } from "../../trace/events.ts";
 import { overheadWords as words } from "../../ui/view-words.ts";
 
@@ -79,25 +79,26 @@ function key({ swatch, name, count, shown, toggle }: Key): TemplateResult {
   </label>`;
 }
 
-function swatch(shape: Shape, colour: string): TemplateResult {
-  const shapes = {
-    squares: svg`<rect x="1" y="1" width="10" height="10" rx="1.5" fill=${colour} />`,
-    dots: svg`<circle cx="6" cy="6" r="4" fill=${colour} />`,
-    line: svg`<path d="M1 9 4.5 4 7.5 8 11 3" fill="none" stroke=${colour} stroke-width="2" />`,
-    text: svg`<path d="M2 2h8v2H7v7H5V4H2z" fill=${colour} />`,
-  };
-  return html`<svg class="swatch" viewBox="0 0 12 12" aria-hidden="true">${shapes[shape]}</svg>`;
+/** On a piece of the mat, so that it looks as it does there in both themes. */
+function tile(of: SVGTemplateResult): TemplateResult {
+  return html`<svg class="swatch" viewBox="0 0 16 16" aria-hidden="true">
+    <rect class="tile" x="0.5" y="0.5" width="15" height="15" rx="3" />
+    ${of}
+  </svg>`;
 }
 
-const bareSwatch = html`<svg class="swatch" viewBox="0 0 12 12" aria-hidden="true">
-  <rect class="bare" x="1" y="1" width="10" height="10" rx="1.5" />
-</svg>`;
+function swatch(shape: Shape, colour: string): TemplateResult {
+  const shapes = {
+    squares: svg`<rect x="3" y="3" width="10" height="10" fill=${colour} />`,
+    dots: svg`<circle cx="8" cy="8" r="4" fill=${colour} />`,
+    line: svg`<path d="M3 11 6 6 10 10 13 5" fill="none" stroke=${colour} stroke-width="2" />`,
+    text: svg`<path d="M4 3.5h8v2.2H9.2v7H6.8v-7H4z" fill=${colour} />`,
+  };
+  return tile(shapes[shape]);
+}
 
-const truthSwatch = html`<svg class="swatch" viewBox="0 0 12 12" aria-hidden="true">
-  <rect class="truth" x="1" y="1" width="10" height="10" rx="1.5" />
-  <path class="truth-hatch" d="M1 6 6 1M1 11 11 1M6 11l5-5" />
-</svg>`;
-
-const differsSwatch = html`<svg class="swatch" viewBox="0 0 12 12" aria-hidden="true">
-  <path class="differs" d="M1.5 1.5h9v9h-9zM1.5 10.5l9-9" />
-</svg>`;
+const bareSwatch = tile(svg``);
+const truthSwatch = tile(svg`
+  <rect class="truth" x="3" y="3" width="10" height="10" />
+  <path class="truth-hatch" d="M3 8 8 3M3 13 13 3M8 13l5-5" />`);
+const differsSwatch = tile(svg`<path class="differs" d="M4 4h8v8H4zM4 12l8-8" />`);

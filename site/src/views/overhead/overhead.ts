@@ -126,34 +126,37 @@ export class OverheadView extends LitElement {
       </div>
       <p class="out-of-sight" id="${this.#id}-moment">${describeMoment(trace, time, sight.layers)}</p>
       <p class="out-of-sight" id="${this.#id}-help">${words.cursorHelp}</p>
-      ${legend({
-        layers: trace.layersAt(trace.duration),
-        counts: new Map(sight.layers.map(({ name, count }) => [name, count])),
-        hidden: this.#inspector.hidden,
-        bare: sight.cells.any ? sight.cells.bare : null,
-        truth: this.#showsTruth,
-        differs: this.earlier && {
-          shown: this.#showsDifferent,
-          count: sight.different?.length ?? null,
-        },
-        onLayer: (name) => {
-          this.#inspector.toggle(name);
-          this.requestUpdate();
-        },
-        onTruth: () => {
-          this.#showsTruth = !this.#showsTruth;
-          this.requestUpdate();
-        },
-        onDiffers: () => {
-          this.#showsDifferent = !this.#showsDifferent;
-          this.requestUpdate();
-        },
-      })}
-      <p class="overhead-why" ?data-asked=${story !== null}>
-        ${story ? html`<b>${story.title}</b> ${story.text}` : words.ask}
-      </p>
+      <div class="overhead-below">
+        ${this.#legend(sight)}
+        <p class="overhead-why" ?data-asked=${story !== null}>
+          ${story ? html`<b>${story.title}</b> ${story.text}` : words.ask}
+        </p>
+      </div>
       <p class="out-of-sight" role="status">${this.#readOut}</p>
     `;
+  }
+
+  #legend({ layers, cells, different }: Sight): TemplateResult {
+    const { trace } = this.player;
+    const changed = (change: () => void) => () => {
+      change();
+      this.requestUpdate();
+    };
+    return legend({
+      layers: trace.layersAt(trace.duration),
+      counts: new Map(layers.map(({ name, count }) => [name, count])),
+      hidden: this.#inspector.hidden,
+      bare: cells.any ? cells.bare : null,
+      truth: this.#showsTruth,
+      differs: this.earlier && { shown: this.#showsDifferent, count: different?.length ?? null },
+      onLayer: (name) => changed(() => this.#inspector.toggle(name))(),
+      onTruth: changed(() => {
+        this.#showsTruth = !this.#showsTruth;
+      }),
+      onDiffers: changed(() => {
+        this.#showsDifferent = !this.#showsDifferent;
+      }),
+    });
   }
 
   override updated(): void {

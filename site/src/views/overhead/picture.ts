@@ -21,6 +21,9 @@ const MOST_BUMPS = 200;
 /** Points of the trail nearer to each other than this would be drawn for nothing. */
 const TRAIL_CM = 0.5;
 
+/** So many squares can be drawn between two frames. */
+const MOST_WORK = 40_000;
+
 /** Everything the picture shows. */
 export interface Moment {
   trace: Trace;
@@ -98,8 +101,9 @@ export class MatPicture {
     paintGround(ctx, camera, palette);
     paintScale(ctx, camera, palette);
     if (truth) paintTruth(ctx, camera, palette, world);
+    let work = MOST_WORK;
     for (const layer of layers) {
-      paintLayer(ctx, camera, layer, trace.pointsOf(layer), palette.font);
+      work = paintLayer(ctx, camera, layer, trace.pointsOf(layer), palette.font, work);
     }
     if (truth) paintTruthEdges(ctx, camera, palette, world);
     this.#mapOf = { trace, layers, truth };
