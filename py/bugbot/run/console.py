@@ -13,17 +13,23 @@ from bugbot.errors import NoInputError, WrongTypeError, got
 from bugbot.run.limits import Meter
 from bugbot.trace import Trace, storable
 
-__all__ = ["NoKeyboard", "Screen", "no_input"]
+__all__ = ["NoKeyboard", "Screen", "no_debugger", "no_input"]
 
 _NO_INPUT = (
     "a program can't ask for typed input while the robot runs: put the value in the program, "
     "for example name = 'Ada'"
 )
+_NO_DEBUGGER = "print() what you want to know, or step through the run afterwards"
 
 
 def no_input(*_prompt: object) -> NoReturn:
     """What input() is during a run."""
     raise NoInputError(f"input() has nobody to answer it: {_NO_INPUT}")
+
+
+def no_debugger(*_arguments: object) -> NoReturn:
+    """What breakpoint() is during a run."""
+    raise NoInputError(f"breakpoint() has nobody to answer it: {_NO_DEBUGGER}")
 
 
 class NoKeyboard(io.TextIOBase):

@@ -29,7 +29,7 @@ from bugbot import api, checks
 from bugbot.errors import NoThreadError
 from bugbot.link import Link
 from bugbot.own_clock import simulated_time
-from bugbot.run.console import NoKeyboard, Screen, no_input
+from bugbot.run.console import NoKeyboard, Screen, no_debugger, no_input
 from bugbot.run.slips.case import lines_of
 
 __all__ = ["hosted"]
@@ -66,6 +66,7 @@ def hosted(
         sys.setrecursionlimit(_depth() + _RECURSION)
         sys.stdout, sys.stderr = cast(TextIO, out), cast(TextIO, err)
         sys.stdin = cast(TextIO, NoKeyboard())
+        sys.breakpointhook = no_debugger
         sys.argv, sys.path = [filename], sys.path[:]
         vars(builtins).update(input=no_input, exit=sys.exit, quit=sys.exit)
         vars(os).update(_exit=_leave, abort=_leave)

@@ -6,15 +6,16 @@ May import: the rest of `bugbot`.
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import redirect_stderr, redirect_stdout
 from types import ModuleType
-from typing import Any
+from typing import Any, TextIO, cast
 
 from bugbot import worlds
 from bugbot.link import Link, connected
 from bugbot.run.console import Screen
 from bugbot.run.faults import fault_of, learner_lines
 from bugbot.run.host import hosted
-from bugbot.run.limits import Limits, Meter
+from bugbot.run.limits import LimitReached, Limits, Meter
 from bugbot.run.slips.quiet import remarks
 from bugbot.run.watchdog import watched
 from bugbot.trace import Trace, storable
@@ -79,45 +80,41 @@ def run_program(
         if on_stuck is not None:
             on_stuck(trace)
 
-    with (
-        connected(link),
-        watched(meter, link.now, filename, give_up if on_stuck else None),
-        hosted(module, source, seed, link, out, err),
-    ):
-        status, message = _carry_out(source, module, link, meter)
-    end(status, message)
+    with connected(link), watched(meter, link.now, filename, give_up if on_stuck else None):
+        with hosted(module, source, seed, link, out, err):
+            error = _carry_out(source, module, filename)
+        # Python is the host's again, whatever the program has done to it. But the text of an
+        # error may be made by the learner's own code, which may print, or never end.
+        with redirect_stdout(cast(TextIO, out)), redirect_stderr(cast(TextIO, err)):
+            try:
+                ending = _ending(error, source, link, meter)
+            except LimitReached:
+                ending = _over(meter)
+    end(*ending)
     return trace
 
 
-def _carry_out(source: str, module: ModuleType, link: Link, meter: Meter) -> tuple[str, str]:
-    """Run the program in its module; the status and message of its end."""
+def _carry_out(source: str, module: ModuleType, filename: str) -> BaseException | None:
+    """Run the program in its module; what ended it, or None if it came to its end."""
     try:
-        exec(compile(source, link.filename, "exec", dont_inherit=True), vars(module))
-        if meter.over is None:
-            said = [f"Finished after {_seconds(link)}.", *remarks(source, link)]
-            return "finished", " ".join(said)
-        raise meter.over  # the program has swallowed it and gone on to its end
+        exec(compile(source, filename, "exec", dont_inherit=True), vars(module))
     except BaseException as error:
-        return _ended_by(error, source, link, meter)
+        return error
+    return None
 
 
-def _over(meter: Meter) -> tuple[str, str]:
-    on_line = "" if meter.line is None else f" on line {meter.line}"
-    return "limit", f"Stopped{on_line} {meter.over}"
-
-
-def _seconds(link: Link) -> str:
-    return f"{round(link.now(), 2):g} s"
-
-
-def _ended_by(error: BaseException, source: str, link: Link, meter: Meter) -> tuple[str, str]:
-    lines = learner_lines(error, link.filename)
-    on_line = f" on line {lines[-1]}" if lines else ""
+def _ending(error: BaseException | None, source: str, link: Link, meter: Meter) -> tuple[str, str]:
+    """Status and message of the end; records the fault if there is one."""
     if meter.over is not None:  # whatever the program made of it on the way out
         return _over(meter)
+    if error is None:
+        return "finished", " ".join([f"Finished after {_seconds(link)}.", *remarks(source, link)])
+    lines = learner_lines(error, link.filename)
+    on_line = f" on line {lines[-1]}" if lines else ""
     if isinstance(error, SystemExit):
         if isinstance(error.code, str):  # as Python does at the command line
-            link.trace.write(link.now(), "stderr", storable(f"{error.code[:_LONGEST_GOODBYE]}\n"))
+            goodbye = storable(error.code[:_LONGEST_GOODBYE])
+            link.trace.write(link.now(), "stderr", f"{goodbye}\n")
         return "finished", f"Finished after {_seconds(link)}: the program left{on_line}."
     if isinstance(error, KeyboardInterrupt):
         return "stopped", f"Stopped{on_line} after {_seconds(link)}."
@@ -127,3 +124,12 @@ def _ended_by(error: BaseException, source: str, link: Link, meter: Meter) -> tu
     )
     where = "" if fault.line is None else f" on line {fault.line}"
     return "fault", f"Stopped by an error{where}: {fault.message}"
+
+
+def _over(meter: Meter) -> tuple[str, str]:
+    on_line = "" if meter.line is None else f" on line {meter.line}"
+    return "limit", f"Stopped{on_line} {meter.over}"
+
+
+def _seconds(link: Link) -> str:
+    return f"{round(link.now(), 2):g} s"
