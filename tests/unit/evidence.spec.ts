@@ -37,6 +37,12 @@ test("a beam that ends on an edge ends in the cell that holds the edge", () => {
   expect(counts([up(0, 12, 0, 25)], { ...CELL, y: 25 })).toEqual([0, 1]);
 });
 
+test("the same from the left", () => {
+  const right = (reading: number) => ["scan", 0, 5, 22, 90, [0, reading]];
+  expect(counts([right(9.99)])).toEqual([0, 1]);
+  expect(counts([right(10)])).toEqual([1, 0]);
+});
+
 test("the cell the robot stands in is passed by its beams", () => {
   expect(counts([up(0, 12, 22, 100)])).toEqual([1, 0]);
 });

@@ -58,6 +58,15 @@ test.describe("look-ups by time", () => {
     expect(trace.pointsOf(a).buffer).toBe(trace.pointsOf(a).buffer);
   });
 
+  test("a layer has its own points, from the middle of the store too", () => {
+    const trace = twoSeconds();
+    const pointsAt = (t: number) => trace.layersAt(t).map((layer) => [...trace.pointsOf(layer)]);
+    expect(pointsAt(0.5)).toEqual([
+      [10250, 10250, 10750, 10250],
+      [12750, 10250],
+    ]);
+  });
+
   test("printed text grows with time", () => {
     const trace = twoSeconds();
     expect(trace.consoleText(0.9)).toBe("go\n");
