@@ -1,7 +1,7 @@
 /**
  * <console-view>: what the program has printed up to the shown moment.
  *
- * Set `player`, and `note` for a line of the page's own at the end. May import `trace`, `player`
+ * Set `player`, and `note` for lines of the page's own at the end. May import `trace`, `player`
  * and `ui`.
  */
 import { html, LitElement, type TemplateResult } from "lit";
