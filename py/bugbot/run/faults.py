@@ -88,10 +88,10 @@ def _frames(error: BaseException, filename: str) -> list[tuple[int, str]]:
 
 def _case(error: BaseException, lines: list[str], filename: str) -> Case:
     """The error as the slips look at it."""
-    text = _text(error)
+    text = (error.msg or "") if isinstance(error, SyntaxError) else _text(error)
     if isinstance(error, SyntaxError) and not learner_lines(error, filename):
         line = _real_line(error.lineno or _line_with_null(lines), lines)
-        return Case(error, error.msg, line, lines, {}, filename)
+        return Case(error, text, line, lines, {}, filename)
     if isinstance(error, BaseExceptionGroup) and not learner_lines(error, filename):
         return _case(error.exceptions[0], lines, filename)
     scope: ChainMap[str, object] = ChainMap()

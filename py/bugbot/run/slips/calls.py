@@ -78,7 +78,10 @@ def _sequence_as_number(case: Case) -> str | None:
     """`if scan() < 20`, `position() + 1`, `for d in distance()`."""
     if not isinstance(case.error, TypeError) or isinstance(case.error, BugbotError):
         return None
-    if not re.search(r"'(list|tuple)' and|and '(list|tuple)'|not '?(list|tuple)'?$", case.message):
+    if not re.search(
+        r"'(list|tuple)' and|and '(list|tuple)'|not '?(list|tuple)'?$|to (list|tuple)$",
+        case.message,
+    ):
         return None
     for name, gives in _GIVES.items():
         if re.search(rf"\b{name}\s*\(", case.code):
@@ -88,7 +91,7 @@ def _sequence_as_number(case: Case) -> str | None:
 
 def _none(case: Case) -> str | None:
     """A value that is None because a function returned nothing."""
-    is_none = re.search(r"NoneType|it got None$|\bNone\b", case.message)
+    is_none = re.search(r"NoneType|it got None$", case.message)
     if not is_none or not isinstance(case.error, TypeError):
         return None
     return (

@@ -52,12 +52,6 @@ class Case:
         plain = re.sub(r"\"[^\"]*\"|'[^']*'", '""', self.text)
         return plain.partition("#")[0]
 
-    def value(self, name: str) -> object:
-        """What a name stands for on that line; raises KeyError if it stands for nothing."""
-        if name in self.scope:
-            return self.scope[name]
-        return vars(builtins)[name]
-
 
 def lines_of(source: str) -> list[str]:
     """The lines of a program as Python counts them, without their ends."""
@@ -70,7 +64,7 @@ Slip = Callable[[Case], str | None]
 def bare_calls(case: Case) -> list[str]:
     """The functions that the line names without brackets, in order."""
     found = re.findall(r"(?<![\w.])([A-Za-z_]\w*)\b(?!\s*(?:[(.]|=(?!=)))", case.code)
-    return [name for name in found if name in case.scope and _is_function(case.scope[name])]
+    return [name for name in found if _is_function(case.scope.get(name, vars(builtins).get(name)))]
 
 
 def _is_function(value: object) -> bool:

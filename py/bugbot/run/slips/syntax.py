@@ -12,6 +12,9 @@ from bugbot.run.slips.case import Case, Slip
 
 __all__ = ["SLIPS"]
 
+_BLOCK_WITH_BRACE = r"^\s*(if|for|while|def|else)\b.*\{\s*$"
+_NO_BRACES = "Python puts no { } round a block: a colon and an indent do it."
+
 _FOREIGN: tuple[tuple[str, str], ...] = (
     (r"^\s*```", "Leave out the lines with ```: they belong to the page it was copied from."),
     (r"^\s*>>>", "Leave out the >>> at the start of the line: it is Python's prompt, not program."),
@@ -26,10 +29,7 @@ _FOREIGN: tuple[tuple[str, str], ...] = (
     (r"^\s*for\s*\(|^\s*for\s+\w+\s*=", "Python counts like this: for i in range(10):"),
     (r"\bthen\s*:?\s*$", "Python has no then: the line ends with a colon."),
     (r"\bdo\s*:?\s*$", "Python has no do: the line ends with a colon."),
-    (
-        r"^\s*(if|for|while|def|else)\b.*\{\s*$|^\s*\}",
-        "Python puts no { } round a block: a colon and an indent do it.",
-    ),
+    (rf"{_BLOCK_WITH_BRACE}|^\s*\}}", _NO_BRACES),
 )
 """Pattern in the line -> hint: what other languages write, whatever Python says of it."""
 
@@ -72,7 +72,7 @@ _BY_MESSAGE: tuple[tuple[str, str], ...] = (
         r"^unterminated (f-)?string",
         "A quote is missing at the end of the text, or the text holds one like those around it.",
     ),
-    (r"f-string", "In an f-text each { needs its } with something in between."),
+    (r"f-string", "In an f-text each {{ needs its }} with something in between."),
     (r"^expected ':'", "A line that begins a block (if, for, while, def …) ends with a colon."),
     (
         r"^expected an indented block after (.+?) on line (\d+)",
@@ -168,14 +168,10 @@ def _by_message(case: Case) -> str | None:
     return None
 
 
-def _bracket_above(case: Case) -> str | None:
-    """`print(x` and then a sound line: Python complains of the second."""
-    if case.message != "invalid syntax" or case.line is None:
-        return None
-    above = case.text_of(case.line - 1).partition("#")[0]
-    if above.count("(") > above.count(")"):
-        return f"The line above, {case.line - 1}, opens a ( and does not close it."
-    return None
+def _brace_above(case: Case) -> str | None:
+    """`if x {` and then a sound line: Python complains of the second."""
+    above = "" if case.line is None else case.text_of(case.line - 1)
+    return _NO_BRACES if re.match(_BLOCK_WITH_BRACE, above) else None
 
 
 def _only_syntax(slip: Slip) -> Slip:
@@ -183,5 +179,5 @@ def _only_syntax(slip: Slip) -> Slip:
 
 
 SLIPS: tuple[Slip, ...] = tuple(
-    map(_only_syntax, (_strange_character, _foreign, _bracket_above, _unreadable, _by_message))
+    map(_only_syntax, (_strange_character, _foreign, _brace_above, _unreadable, _by_message))
 )

@@ -1,0 +1,381 @@
+"""Common slips: for each a program that makes it, its line, and the cause that is named.
+
+Every program is run, so that the hints hold for the errors Python really raises.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np  # noqa: F401  some programs import it
+import pytest
+from bugbot.run.slips import likely_cause
+from bugbot.run.slips.case import Case, bare_calls
+
+Run = Callable[..., Any]
+
+SYNTAX = [
+    ("x = [1, 2\ny = 3\n", 1, "This [ is never closed"),
+    ("draw('a', [(1, 2)]\nwait(1)\n", 1, "This ( is never closed"),
+    ("x = 3)\n", 1, "There is a ) too many"),
+    ("x = [1, 2)\n", 1, "What was opened with [ is closed with )"),
+    ("print(3\nwait 2\n", 1, "This ( is never closed"),
+    ("if x == (3:\n    pass\n", 1, None),
+    ("for i in range(3)\n    pass\n", 1, "ends with a colon"),
+    ("if True\n    pass\n", 1, "ends with a colon"),
+    ("def f(x)\n    pass\n", 1, "ends with a colon"),
+    ("if x = 3:\n    pass\n", 1, "two equals signs: =="),
+    ("while x = 3:\n    pass\n", 1, "two equals signs: =="),
+    ("3 = x\n", 1, "stands on the left of ="),
+    ("scan() = x\n", 1, "stands on the left of ="),
+    ("True = 3\n", 1, "True is a fixed value"),
+    ("print('hello)\n", 1, "A quote is missing"),
+    ("x = 'it's'\n", 1, "A quote is missing"),
+    ("x = '''abc\n", 1, "three quotes"),
+    ("x = f'{}'\n", 1, "In an f-text"),
+    ("x = 1\n  y = 2\n", 2, "further right than the one above"),
+    ("if True:\nx = 1\n", 2, "'if' statement on line 1 must be there, indented"),
+    ("def f():\n    x = 1\n  y = 2\n", 3, "between two levels"),
+    ("if True:\n\tx = 1\n        y = 2\n", 3, "tabs and some with spaces"),
+    ("print 'x'\n", 1, "Put brackets round it: print(…)"),
+    ("print(“hi”)\n", 1, 'write " instead'),
+    ("x = ‘a’\n", 1, "write ' instead"),
+    ("x = 5 − 3\n", 1, "− is not the sign on the keyboard: write - instead"),
+    ("x = 3×4\n", 1, "write * instead"),
+    ("x = 1；\n", 1, "write ; instead"),
+    ("x = 3\u00a0+ 4\n", 1, "a space of a special kind"),
+    ("turn(90°)\n", 1, "Python has no sign °"),
+    ("i = 0\ni++\n", 2, "x += 1"),
+    ("if True:\n    pass\nelse if False:\n    pass\n", 3, "one word: elif"),
+    ("if True:\n    pass\nelseif False:\n    pass\n", 3, "elif"),
+    ("if a && b:\n    pass\n", 1, "the word and"),
+    ("if a || b:\n    pass\n", 1, "the word or"),
+    ("if !a:\n    pass\n", 1, "the word not"),
+    ("function f() {\n}\n", 1, "with def"),
+    ("var x = 3\n", 1, "no word before a new name"),
+    ("for (i = 0; i < 3; i++)\n", 1, None),
+    ("for i = 0\n", 1, "for i in range(10):"),
+    ("if x > 3 then:\n    pass\n", 1, "no then"),
+    ("for x in [1, 2] do\n    pass\n", 1, "no do"),
+    ("if x == 3 {\n    y = 1\n}\n", None, "no { } round a block"),
+    ("class = 3\n", 1, "one of Python's own words"),
+    ("from = 3\n", 1, "one of Python's own words"),
+    ("wait 2\n", 1, "A call needs brackets"),
+    ("x = 1\nelse:\n    pass\n", 2, "no if (or try) above it"),
+    ("x = 1 +\n", 1, "The line stops too early"),
+    ("x =\n", 1, "The line stops too early"),
+    ("return 3\n", 1, "return belongs inside a function"),
+    ("break\n", 1, "break belongs inside a loop"),
+    ("x = (1 2)\n", 1, "there must be a comma"),
+    ("drive(50, 0 0)\n", 1, "there must be a comma"),
+    ("x = 007\n", 1, "does not begin with 0"),
+    ("x = 5cm\n", 1, "units like cm"),
+    ("f(a=1, 2)\n", 1, "come after those without"),
+    ("def f:\n    pass\n", 1, "def needs brackets"),
+    ("x = {1: 2, 3}\n", 1, "key: value"),
+    ("try:\n    x = 1\ny = 2\n", None, "try needs an except"),
+    ("def f():\n    x = 1\n    global x\n", 3, "must come first"),
+    ("def f(a, a):\n    pass\n", 1, "Two arguments are called a"),
+    ("x = \\ 3\n", 1, "There is a \\ in the line"),
+    ("```python\n", 1, "the lines with ```"),
+    (">>> x = 3\n", 1, "Leave out the >>>"),
+    ("x = ?\n", 1, None),
+]
+
+NAMES = [
+    ("x = true\n", 1, "In Python this is written True."),
+    ("x = null\n", 1, "In Python this is written None."),
+    ("sleep(1)\n", 1, "In Python this is written wait."),
+    ("wait(1)\n", 1, "at the top of the program: from bugbot import *"),
+    ("Robot()\n", 1, "at the top of the program: from bugbot import *"),
+    ("import bugbot\nwait(1)\n", 2, "write bugbot.wait"),
+    ("x = math.pi\n", 1, "at the top of the program: import math"),
+    ("x = np.zeros(3)\n", 1, "at the top of the program: import numpy as np"),
+    ("x = sin(3)\n", 1, "at the top of the program: from math import sin"),
+    ("import math\nx = sin(3)\n", 2, "write math.sin"),
+    ("x == 5\n", 1, "To give x a value write one equals sign: x = …"),
+    ("go_on()\ndef go_on():\n    pass\n", 1, "only comes to be on line 2"),
+    ("print(total)\ntotal = 3\n", 1, "only comes to be on line 2"),
+    ("from bugbot import *\nfoward(50)\n", 2, "Did you mean forward?"),
+    (
+        "from bugbot import *\nForward(50)\n",
+        2,
+        "Did you mean forward? Capital and small letters count.",
+    ),
+    (
+        "foward(50)\n",
+        1,
+        "Did you mean forward? It needs this line at the top: from bugbot import *",
+    ),
+    ("Print(3)\n", 1, "Did you mean print? Capital and small letters count."),
+    ("known = 3\nprint(knwon)\n", 2, "Did you mean known?"),
+    ("x = [0] * hello_there\n", 1, "Nothing is called hello_there here. A text needs quotes"),
+    ("class A:\n    def f():\n        self.x = 1\nA.f()\n", 3, "takes self as its first argument"),
+    ("n = 0\ndef f():\n    n += 1\nf()\n", 3, "begin the function with: global n"),
+    (
+        "def f():\n    if False:\n        n = 1\n    return n\nf()\n",
+        4,
+        "nothing has given n a value",
+    ),
+    ("x = [1]\nx.push(2)\n", 2, "For a list this is append."),
+    ("x = [1]\nx.apend(2)\n", 2, "Did you mean append?"),
+    ("x = None\nx.append(2)\n", 2, "The value before the dot is None"),
+    ("import bugbot\nbugbot.wiat(2)\n", 2, "Did you mean wait?"),
+    ("from bugbot import *\nr = Robot()\nr.foward()\n", 3, "Did you mean forward?"),
+    ("from bugbot import *\nposition.x\n", 2, "call it with brackets: position()"),
+    ("from bugbot import *\nposition().x\n", 2, "x, y = position()"),
+    ("x = 3\nx.qqq\n", 2, None),
+    ("import mathh\n", 1, "Did you mean math?"),
+    ("import Bugbot\n", 1, "Did you mean bugbot? Capital and small letters count."),
+    ("import pandas\n", 1, "Python's own library (math, random, …), bugbot and numpy"),
+    ("import pandas.core\n", 1, "Python's own library (math, random, …), bugbot and numpy"),
+    ("from bugbot import foward\n", 1, "Did you mean forward?"),
+    ("from math import sinus\n", 1, None),
+    ("raise ModuleNotFoundError('no tkinter', name='tkinter')\n", 1, "can't be had in a browser"),
+    ("raise NameError\n", 1, None),
+    ("raise AttributeError\n", 1, None),
+    ("raise UnboundLocalError('strange')\n", 1, "nothing has given it a value"),
+]
+
+CALLS_ = [
+    ("for a, d in scan:\n    pass\n", "scan is a function: to use what it gives, call it"),
+    ("if distance < 20:\n    stop()\n", "distance is a function"),
+    ("x, y = position\n", "position is a function"),
+    ("x = heading + 90\n", "heading is a function"),
+    ("x = scan[0]\n", "scan is a function"),
+    ("import math\nx = math.sin(heading)\n", "heading is a function"),
+    ("wait(clock)\n", "clock is a function"),
+    ("x = len + 1\n", "len is a function"),
+    ("x = (lambda: 3) + 1\n", None),
+    (
+        "distance = distance()\nwait(1)\ndistance = distance()\n",
+        "the robot's call distance() is covered up",
+    ),
+    ("x = [1, 2]\nprint(x(0))\n", "use square brackets: x[…]"),
+    ("x = 3\nx()\n", "makes x a value of type int, and that can't be called"),
+    ("x = 3 * 2.5\ny = (x)(x + 1)\n", "there must be a sign, such as *"),
+    ("y = [(1, 2) (3, 4)]\n", "a comma missing"),
+    ("for d in scan():\n    a, b, c = d\n", "into 3 names"),
+    ("for a, b, c in scan():\n    pass\n", "scan() gives 8 pairs"),
+    ("a, d = scan()\n", "scan() gives 8 pairs"),
+    ("x, y, h = position()\n", "position() gives two numbers"),
+    ("x, y = odometry()\n", "odometry() gives three numbers"),
+    ("x, y = distance()\n", "can be taken apart"),
+    ("if scan() < 20:\n    stop()\n", "scan() gives 8 pairs"),
+    ("x = position() + 1\n", "position() gives two numbers"),
+    ("x = [1] + 1\n", None),
+    ("draw('a', [], color='red')\n", "It is spelt colour here."),
+    ("draw('a', [], colur='red')\n", "Did you mean colour?"),
+    ("draw('a', [], qqq='red')\n", None),
+    ("def f(x):\n    pass\nf(qqq=1)\n", "f is defined on line 2: def f(x):"),
+    ("wait('2')\n", "A number is written without quotes"),
+    ("def f():\n    pass\nx = f() + 1\n", "Something here is None"),
+    ("x = [3, 1].sort()\nfor y in x:\n    pass\n", "Something here is None"),
+    ("wait(print())\n", "Something here is None"),
+    ("class A:\n    def f():\n        pass\nA().f()\n", "The method f needs self"),
+    ("def f(x, y):\n    pass\nf(1)\n", "f is defined on line 2: def f(x, y):"),
+    ("f = lambda x: x\nf()\n", None),
+    ("int('3', base=10, other=3)\n", None),
+    ("def f(n):\n    return f(n + 1)\nf(0)\n", "needs an if that ends it"),
+    ('raise RuntimeError("can\'t start new thread")\n', "no threads here"),
+]
+
+VALUES = [
+    ("grid = [0] * 1600\ngrid[1600] = 1\n", "grid has 1600, with the numbers 0 to 1599."),
+    ("grid = [0] * 1600\nx = grid[1600]\n", "row * columns + column"),
+    ("x = [1, 2][3]\n", "The first has number 0."),
+    ("grid = [0] * 10\nx = grid[10 / 5]\n", "use // to divide"),
+    ("x = [1, 2][0.5:]\n", "use // to divide"),
+    ("for i in range(200 / 5):\n    pass\n", "A whole number is wanted here: use // to divide"),
+    ("grid = [[0]]\nx = grid[0, 0]\n", "grid[row][column]"),
+    ("x = [1]['a']\n", "A list is asked by number"),
+    ("x = 'a' + 3\n", "can't be added"),
+    ("x = 3 + 'a'\n", "One side is a text"),
+    ("x = 'a' - 3\n", "One side is a text"),
+    ("x = '3' < 4\n", "One side is a text"),
+    ("for d in distance():\n    pass\n", "This is a single number, not a list"),
+    ("for i in 8:\n    pass\n", "for i in range(…):"),
+    ("x = distance()[0]\n", "it has no parts"),
+    ("x = len(3)\n", "This is a single number, not a list."),
+    ("x = 1 / 0\n", "What stands under the division is 0"),
+    ("x = 1 // 0.0\n", "What stands under the division is 0"),
+    ("x = 1 % 0\n", "What stands under the division is 0"),
+    ("import math\nx = math.log(0)\n", "log() wants more than 0"),
+    ("import math\nx = math.sqrt(-1)\n", "log() wants more than 0"),
+    ("import math\nx = math.acos(2)\n", "log() wants more than 0"),
+    ("import math\nx = math.exp(1000)\n", "The number gets too large"),
+    ("plot('a', float('inf') - float('inf'))\n", "nan and inf come from sums without an answer"),
+    ("draw('a', [(1, float('nan'))])\n", "nan and inf come from sums without an answer"),
+    ("draw('goal', (100, 150))\n", "A single point needs square brackets"),
+    ("draw('goal', [[100, 150, 3]])\n", "Every point is a pair in brackets"),
+    ("table = {'free': 1}\nx = table['fre']\n", "Did you mean 'free'?"),
+    ("table = {(0, 1): 1}\nx = table[0, 2]\n", "table.get(key, 0)"),
+    ("x = int('3 cm')\n", "something else than a number"),
+    ("x = float('wide')\n", "something else than a number"),
+    ("t = {1: 2}\nfor k in t:\n    t[k + 1] = 3\n", "go through list(…) of it"),
+    ("import numpy as np\nif np.zeros(3) == 0:\n    pass\n", "(…).any() or (…).all()"),
+    ("x = [0] * 10**14\n", "grow without end"),
+    ("raise ValueError('something else')\n", None),
+    ("raise KeyError\n", None),
+]
+
+
+@pytest.mark.parametrize(("program", "line", "hint"), SYNTAX, ids=[row[0] for row in SYNTAX])
+def test_slips_in_what_can_not_be_read(run: Run, program: str, line: int, hint: str | None) -> None:
+    ran = run(program)
+    assert ran.status == "fault"
+    assert ran.fault["type"] in ("SyntaxError", "IndentationError", "TabError")
+    if line is not None:
+        assert ran.fault["line"] == line
+    if hint is not None:
+        assert hint in str(ran.fault["hint"])
+
+
+@pytest.mark.parametrize(("program", "line", "hint"), NAMES, ids=[row[0] for row in NAMES])
+def test_slips_in_names(run: Run, program: str, line: int, hint: str | None) -> None:
+    ran = run(program)
+    assert ran.fault["line"] == line
+    assert hint in ran.fault["hint"] if hint else ran.fault["hint"] is None
+
+
+WITH_CALLS = CALLS_ + VALUES
+
+
+@pytest.mark.parametrize(("program", "hint"), WITH_CALLS, ids=[row[0] for row in WITH_CALLS])
+def test_slips_in_calls_and_values(run_calls: Run, program: str, hint: str | None) -> None:
+    ran = run_calls(program)
+    assert ran.status == "fault"
+    assert ran.fault["line"] is not None
+    assert hint in str(ran.fault["hint"]) if hint else ran.fault["hint"] is None
+
+
+@pytest.mark.parametrize(
+    ("program", "message"),
+    [
+        ("drive(50)", "drive(forward, right, turn) wants 3 arguments; right and turn are missing"),
+        (
+            "drive()",
+            "drive(forward, right, turn) wants 3 arguments; forward, right and turn are missing",
+        ),
+        ("wait()", "wait(seconds) wants 1 argument; seconds is missing"),
+        ("wait(1, 2)", "wait(seconds) wants 1 argument; it got 2"),
+        ("forward(1, 2, 3)", "forward(speed, distance) wants at most 2 arguments; it got 3"),
+        (
+            "draw('a')",
+            "draw(name, points, colour, shape, size) wants 2 arguments; points is missing",
+        ),
+        ("scan(5)", "scan() wants no arguments; it got 1"),
+        ("Robot().scan(5)", "scan() wants no arguments; it got 1"),
+        ("wait(s=1)", "wait(seconds) has no argument called s"),
+        (
+            "turn(90, degrees=3)",
+            "turn(degrees, speed) got degrees twice: once by its place and once by its name",
+        ),
+    ],
+)
+def test_wrong_numbers_of_arguments_are_told_in_plain_words(
+    run_calls: Run, program: str, message: str
+) -> None:
+    ran = run_calls(program)
+    assert (ran.fault["type"], ran.fault["message"], ran.fault["line"]) == ("TypeError", message, 2)
+
+
+def test_a_function_of_ones_own_keeps_pythons_words(run: Run) -> None:
+    ran = run("def turn():\n    pass\nturn(90)")
+    assert ran.fault["message"] == "turn() takes 0 positional arguments but 1 was given"
+    assert ran.fault["hint"] == "turn is defined on line 1: def turn():"
+
+
+def test_python_complaining_oddly_of_a_call_is_passed_on(run_calls: Run) -> None:
+    ran = run_calls("raise TypeError('wait() takes it badly')")
+    assert ran.fault["message"] == "wait() takes it badly"
+
+
+# -- quiet slips ---------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("program", "remark"),
+    [
+        ("forward(50)", "The robot was told to move, but no time passed"),
+        ("drive(10, 0, 0)\nstop()", "The robot was told to move, but no time passed"),
+        ("import math\nturn(math.pi / 2)", "Line 3: turn(1.5708) is a turn of 1.5708 degrees."),
+        ("import math\nturn(-math.radians(30))", "Line 3: turn(-0.5236) is a turn of"),
+        ("forward\nwait(1)", "Line 2: forward does nothing without its brackets: forward()"),
+        ("x = 3\nx == 4", "Line 3 only compares"),
+        ("import math\nwait(1)\nx = math.sin(heading())", "Line 4: sin() wants radians"),
+        ("from math import cos\nh = heading()\nx = cos(h)", "Line 4: cos() wants radians"),
+    ],
+)
+def test_programs_that_finish_and_yet_missed_something(
+    run_calls: Run, program: str, remark: str
+) -> None:
+    ran = run_calls(program)
+    assert ran.status == "finished"
+    assert ran.message.startswith("Finished after ")
+    assert remark in ran.message
+
+
+@pytest.mark.parametrize(
+    "program",
+    [
+        "forward(50)\nwait(1)",
+        "stop()",
+        "turn(1)\nturn(45)\nturn(3.5)\nturn(0)",
+        "forward = 3\nforward",
+        "from math import sin, radians\nx = sin(radians(heading()))",
+        "from math import sin\nh = 3\nx = sin(h)",
+        "x = [sin for sin in (1, 2)]\nx[0]",
+        "def sin():\n    return 1\nx = sin() + (lambda: 1)()",
+        "1 if clock() == 0 else 2",
+    ],
+)
+def test_sound_programs_get_no_remark(run_calls: Run, program: str) -> None:
+    ran = run_calls(program)
+    assert ran.message == f"Finished after {round(ran.seconds, 2):g} s."
+
+
+def test_only_a_few_remarks_are_made(run_calls: Run) -> None:
+    ran = run_calls("forward\n" * 10)
+    assert ran.message.count("does nothing without") == 3
+
+
+def test_a_very_long_program_is_not_read_through(run_calls: Run) -> None:
+    assert run_calls("forward\n" + "x = 1\n" * 40_000).message == "Finished after 0 s."
+
+
+def test_a_turn_outside_any_line_is_remarked_on_without_one(run: Run) -> None:
+    ran = run("from bugbot import turn\nexec('turn(3.141592653589793)')")
+    assert "Line 2: turn(3.1416)" in ran.message
+
+
+# -- the case ------------------------------------------------------------------
+
+
+def case(text: str, **scope: object) -> Case:
+    return Case(TypeError("x"), "x", 1, [text], scope, "program.py")
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("f(g)", ["g"]),
+        ("x = f + g  # h", ["f", "g"]),
+        ("x = 'f' + \"g\" + h", ["h"]),
+        ("f = 3", []),
+        ("f == g", ["f", "g"]),
+        ("a.f + h", ["h"]),
+        ("f.g()", []),
+        ("for x in f:", ["f"]),
+        ("kind", []),
+    ],
+)
+def test_bare_calls_are_functions_named_without_brackets(text: str, names: list[str]) -> None:
+    scope = dict.fromkeys("fgh", print)
+    assert bare_calls(case(text, **scope, kind=int)) == names
+
+
+def test_a_case_without_a_line_has_no_text() -> None:
+    nowhere = Case(TypeError("x"), "x", None, ["a"], {}, "program.py")
+    assert nowhere.text == ""
+    assert nowhere.text_of(2) == ""
+    assert likely_cause(nowhere) is None
