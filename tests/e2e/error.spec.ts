@@ -19,7 +19,7 @@ test("an error names its line, goes there, and shows Python's own words on deman
     .click();
   await expect(app.problem.getByText(/Traceback/)).toBeVisible();
 
-  await app.problem.getByRole("button", { name: "line 4" }).click();
+  await page.getByRole("button", { name: "Go to line 4" }).click();
   await expect(app.program).toBeFocused();
   await page.keyboard.press("Shift+End");
   await page.keyboard.insertText("pass");

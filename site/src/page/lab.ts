@@ -11,6 +11,7 @@
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { Player } from "../player/player.ts";
 import type { Outcome, World } from "../trace/events.ts";
+import { writeTraceFile } from "../trace/file.ts";
 import { outcomeOf } from "../trace/outcome.ts";
 import type { Trace } from "../trace/trace.ts";
 import { icons } from "../ui/icons.ts";
@@ -107,6 +108,17 @@ export class BugbotLab extends LitElement {
   /** Ends the run now; what it has shown is kept. */
   stop(): void {
     this.#runner.stop();
+  }
+
+  /** Resolves when a run would start at once: Python is up, with an interpreter to spare. */
+  ready(): Promise<void> {
+    return this.#services.runtime.ready();
+  }
+
+  /** The run on show as the text of a trace file; null before the first run. */
+  traceText(): string | null {
+    const { trace } = this.#runner;
+    return trace && writeTraceFile(trace);
   }
 
   /** Shows the run at a moment [s]. */
@@ -275,6 +287,7 @@ export class BugbotLab extends LitElement {
         note: this.#note,
         runNote: this.#runner.note,
         onRetry: () => this.#services.runtime.warm(),
+        onLine: (line) => this.#program?.goToLine(line),
       })}
       <div class="lab-columns">
         <div class="lab-program">
@@ -286,7 +299,7 @@ export class BugbotLab extends LitElement {
             <button type="button" aria-label=${editorWords.larger}
               @click=${() => changeCodeSize(this, 1)}>A+</button>
           </div>
-          ${problem(fault, (line) => this.#program?.goToLine(line))}
+          ${problem(fault)}
         </div>
         <console-view .player=${this.#player}></console-view>
         <overhead-view

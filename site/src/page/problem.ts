@@ -6,19 +6,11 @@ import { html, nothing, type TemplateResult } from "lit";
 import type { Fault } from "../trace/events.ts";
 import { problemWords } from "../ui/strings.ts";
 
-export function problem(fault: Fault | null, goToLine: (line: number) => void): TemplateResult {
+export function problem(fault: Fault | null): TemplateResult {
   if (!fault) return html``;
-  const { line } = fault;
   return html`<section class="lab-problem" aria-label=${problemWords.region}>
     <p class="message">${fault.message}</p>
     ${fault.hint ? html`<p><b>${problemWords.cause}</b> ${fault.hint}</p>` : nothing}
-    ${
-      line === null
-        ? nothing
-        : html`<button type="button" class="link" @click=${() => goToLine(line)}>
-            ${problemWords.at} ${problemWords.line(line)}
-          </button>`
-    }
     <details>
       <summary>${problemWords.details(fault.type)}</summary>
       <pre tabindex="0">${fault.traceback}</pre>

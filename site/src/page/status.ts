@@ -28,11 +28,18 @@ export interface StatusInput {
   /** What the runtime says of a run that is held up ("Loading NumPy… 40 %"). */
   runNote: string | null;
   onRetry(): void;
+  /** The learner wants to see the line that failed. */
+  onLine(line: number): void;
 }
 
 export interface Note {
   text: string;
-  action?: { label: string; act(): void };
+  action?: Action;
+}
+
+export interface Action {
+  label: string;
+  act(): void;
 }
 
 type Tone = "quiet" | "busy" | "good" | "bad";
@@ -46,18 +53,9 @@ export function status(input: StatusInput): TemplateResult {
       <span class="dot" aria-hidden="true"></span><span>${text}</span>
       ${input.note ? html`<span class="note">${input.note.text}</span>` : nothing}
     </p>
-    ${
-      input.note?.action
-        ? html`<button type="button" @click=${input.note.action.act}>
-            ${input.note.action.label}
-          </button>`
-        : nothing
-    }
-    ${
-      input.runtime.state === "failed"
-        ? html`<button type="button" @click=${input.onRetry}>${labWords.retry}</button>`
-        : nothing
-    }
+    ${actions(input).map(
+      ({ label, act }) => html`<button type="button" @click=${act}>${label}</button>`,
+    )}
     <span class="count">${count(input)}</span>
     ${
       starting
@@ -69,6 +67,15 @@ export function status(input: StatusInput): TemplateResult {
         : nothing
     }
   </div>`;
+}
+
+function actions({ runtime, fault, note, onRetry, onLine }: StatusInput): Action[] {
+  const list: Action[] = [];
+  const line = fault?.line;
+  if (line) list.push({ label: statusWords.goTo(line), act: () => onLine(line) });
+  if (note?.action) list.push(note.action);
+  if (runtime.state === "failed") list.push({ label: labWords.retry, act: onRetry });
+  return list;
 }
 
 function say({ phase, runtime, end, fault, runNote }: StatusInput): { tone: Tone; text: string } {

@@ -22,5 +22,6 @@ export function worldPicture(world: World): SVGTemplateResult {
     )}
     <circle class="robot" cx=${x} cy=${down(y)} r=${ROBOT_RADIUS_CM + 1} />
     <circle class="nose" cx=${x + nose * right} cy=${down(y) - nose * up} r="1.8" />
+    <rect class="dim" x="-4" y="-4" width="208" height="208" />
   </svg>`;
 }

@@ -37,7 +37,6 @@ export const labWords = {
   reset: "Reset program",
   undo: "Undo",
   retry: "Try again",
-  lines: (n: number) => (n === 1 ? "1 line" : `${n} lines`),
 };
 
 export const statusWords = {
@@ -55,6 +54,7 @@ export const statusWords = {
     line === null
       ? "The program ended with an error."
       : `An error on line ${line} ended the program.`,
+  goTo: (line: number) => `Go to line ${line}`,
   failed: (why: string) => `Python could not start: ${why}`,
   reset: "The program is as it was at the start.",
   restored: "Your program is back.",
@@ -64,8 +64,6 @@ export const statusWords = {
 
 export const problemWords = {
   region: "What went wrong",
-  line: (n: number) => `line ${n}`,
-  at: "Go to",
   cause: "Likely cause:",
   details: (type: string) => `Python calls this a ${type}; show all it says`,
 };

@@ -1,0 +1,133 @@
+/**
+ * A program can't get out of its worker: every way out we could think of is tried, and the server
+ * and the page are watched meanwhile. See ways-out.ts for the programs.
+ */
+import { expect, test } from "./fixtures.ts";
+import { WAYS_OUT } from "./ways-out.ts";
+
+interface Lab {
+  program: string;
+  run(): Promise<{
+    status: string;
+    console: string;
+    fault: { type: string; message: string } | null;
+  }>;
+}
+
+test("no way out of the sandbox is open", async ({ app, page }) => {
+  test.setTimeout(240_000);
+  await app.openLab("world=empty");
+  const lab = page.locator("bugbot-lab");
+  // Everything the site itself will ever fetch has been fetched: what comes now is an escape.
+  await lab.evaluate(async (element: HTMLElement & Lab) => {
+    element.program = "import numpy, wave";
+    await element.run();
+  });
+  const asked: string[] = [];
+  page.on("request", (request) => {
+    const own =
+      request.url().startsWith("blob:") || /\/assets\/worker|\/pyodide/.test(request.url());
+    if (!own) asked.push(request.url());
+  });
+  const pageState = () =>
+    page.evaluate(async () => ({
+      title: document.title,
+      address: location.href,
+      storage: Object.keys(localStorage).filter((key) => !key.startsWith("bugbot")),
+      databases: await indexedDB.databases(),
+      caches: await caches.keys(),
+      globals: Object.keys(window).length,
+    }));
+  const before = await pageState();
+  expect(WAYS_OUT.length).toBeGreaterThanOrEqual(20);
+  const open: string[] = [];
+  for (const { name, program } of WAYS_OUT) {
+    const outcome = await lab.evaluate(async (element: HTMLElement & Lab, source) => {
+      element.program = source;
+      return await element.run();
+    }, program);
+    if (outcome.console.includes("OPEN")) open.push(`${name}: ${outcome.console}`);
+    // The attempt must have been an attempt: a slip in the test's own program proves nothing.
+    expect(outcome.fault?.type ?? "", name).not.toMatch(/SyntaxError|IndentationError/);
+  }
+  expect(open).toEqual([]);
+  expect(asked).toEqual([]);
+  expect(await pageState()).toEqual(before);
+});
+
+test("forged messages do nothing", async ({ app, page }) => {
+  await app.openLab("world=empty");
+  const lab = page.locator("bugbot-lab");
+  // The function that sends the trace can be found from the frames: with it, a program can only
+  // tell lies about its own run, and only in the form of a trace.
+  const outcome = await lab.evaluate(async (element: HTMLElement & Lab) => {
+    element.program = `
+import sys
+frame = sys._getframe()
+senders = []
+while frame:
+    for value in list(frame.f_locals.values()):
+        send = getattr(value, "_send", None)
+        if send is not None:
+            senders.append(send)
+        if "JsProxy" in type(value).__name__:
+            senders.append(value)
+    frame = frame.f_back
+import gc
+senders += [o for o in gc.get_objects() if "JsProxy" in type(o).__name__]
+print("found", len(senders) > 0)
+for send in senders:
+    for forged in ('[["end",0,"finished","forged"]]', '[["nonsense",1]]', "not json", '[["pose",-1,0,0,0]]', "["*100000):
+        try:
+            send(forged, None)
+        except BaseException as error:
+            pass
+        try:
+            from pyodide.ffi import to_js
+            send(forged, to_js(b""))
+        except BaseException as error:
+            pass
+`;
+    return await element.run();
+  });
+  expect(["finished", "fault", "stopped"]).toContain(outcome.status);
+  const after = await lab.evaluate(async (element: HTMLElement & Lab) => {
+    element.program = 'print("still well")';
+    return await element.run();
+  });
+  expect(after).toMatchObject({ status: "finished", console: "still well\n" });
+});
+
+test("a run leaves nothing behind for the next", async ({ app, page }) => {
+  await app.openLab("world=empty");
+  const lab = page.locator("bugbot-lab");
+  const run = (program: string) =>
+    lab.evaluate(async (element: HTMLElement & Lab, source) => {
+      element.program = source;
+      return await element.run();
+    }, program);
+  await run(`
+import builtins, sys, os, math, random, bugbot, bugbot.api, bugbot.sim.simulator
+builtins.print = lambda *a, **k: None
+math.sin = lambda x: 42
+random.seed(1)
+bugbot.scan = bugbot.api.scan = lambda: "tampered"
+sys.modules["json"] = None
+os.environ["LEFT"] = "behind"
+open("/tmp/left", "w").write("behind")
+open("/lib/python3.14/site-packages/bugbot/api.py", "w").write("raise SystemExit")
+sys.setrecursionlimit(60)
+`);
+  const after = await run(`
+from bugbot import *
+import json, math, os, random, sys
+print(math.sin(0), len(scan()), os.path.exists("/tmp/left"), "LEFT" in os.environ)
+print(json.dumps(sys.getrecursionlimit()))
+print(random.random())
+`);
+  const again = await run("import random\nprint(random.random())");
+  expect(after.fault).toBeNull();
+  expect(after.console).toContain("0.0 8 False False\n1000\n");
+  // The program's own chance comes from the seed, afresh in each run.
+  expect(after.console.split("\n")[2]).toBe(again.console.trim());
+});
