@@ -46,6 +46,8 @@ __all__ = [
 
 _PER_CENT = "a number from -100 to 100 (per cent)"
 _SPEED = "a number above 0 (per cent of full speed)"
+_SLOWEST = 1e-6
+"""Per cent. Slower than this is standing, where a call would wait for its end."""
 _SHAPES = ("dots", "squares", "line", "text")
 _DECIMALS = 6
 """Answers of the camera and the feet: the last figures of the simulator's would only puzzle."""
@@ -112,9 +114,9 @@ def _straight(call: str, speed: Any, distance: Any, sign: float) -> None:
         link.sim.drive(sign * per_cent, 0.0, 0.0)
         return
     cm = checks.number(call, "distance", distance, "a number of 0 or more (cm)", low=0.0)
-    if per_cent == 0.0:
+    if abs(per_cent) < _SLOWEST:
         raise WrongValueError(
-            f"{call} wants a speed other than 0 when it has a distance; it got speed 0"
+            f"{call} wants a speed other than 0 when it has a distance; it got speed {got(speed)}"
         )
     link.go_straight(sign * per_cent, cm)
 
@@ -156,7 +158,7 @@ def turn(degrees: float, speed: float = 30) -> None:
     link = active(call)
     angle = checks.number(call, "degrees", degrees, "a number of degrees")
     per_cent = checks.number(call, "speed", speed, _SPEED)
-    if per_cent <= 0.0:
+    if per_cent < _SLOWEST:
         raise WrongValueError(f"{call} wants {_SPEED} for speed; it got {got(speed)}")
     link.turn_by(angle, per_cent)
 

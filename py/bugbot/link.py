@@ -66,8 +66,8 @@ class Link:
             self._line = line
             self.trace.add("line", self.sim.t, line)
         allowed = self._guard.allow(self.sim.t, seconds)
-        self.sim.advance(min(seconds, allowed), until_blocked)
-        if allowed < seconds:
+        blocked = self.sim.advance(min(seconds, allowed), until_blocked)
+        if allowed < seconds and not blocked:
             self._guard.time_is_up()
         self._guard.check()
 

@@ -73,5 +73,15 @@ class Screen(io.TextIOBase):
         """Record the text at the present simulated time; ends the run past the limit."""
         if not isinstance(text, str):
             raise WrongTypeError(f"sys.{self.name}.write(text) wants a text; it got {got(text)}")
-        self._meter.print(storable(text), lambda part: self._write(self._now(), self.name, part))
-        return len(text)
+        text = storable(text)
+        meter, length = self._meter, len(text)
+        if length > meter.print_left:
+            kept, meter.print_left = text[: meter.print_left], 0
+            self._write(self._now(), self.name, kept)
+            meter.check()  # a limit reached before this one counts, not this
+            meter.too_much_printed()
+        if length:
+            meter.print_left -= length
+            self._write(self._now(), self.name, text)
+        meter.check()
+        return length

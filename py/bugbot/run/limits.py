@@ -56,7 +56,8 @@ class Meter:
         self._trace = trace
         self._filename = filename
         self._on_flush = on_flush
-        self._printed = 0
+        self.print_left = limits.print_bytes
+        """Characters that may still be printed."""
 
     def check(self) -> None:
         """Raise if the run is over; else give the page its turn."""
@@ -89,18 +90,12 @@ class Meter:
             "a loop that goes on and on needs a wait() in it."
         )
 
-    def print(self, text: str, write: Callable[[str], None]) -> None:
-        """Write this text, or as much of it as may still be printed."""
-        left = self.limits.print_bytes - self._printed
-        self._printed += len(text)
-        if left > 0:
-            write(text[:left])
-        if len(text) > left and self.over is None:
-            self._end(
-                f"after printing {self.limits.print_bytes / 1e6:g} MB: one run may print no more. "
-                "Is there a print() in a loop that never waits?"
-            )
-        self.check()
+    def too_much_printed(self) -> NoReturn:
+        """End the run: it has printed all it may."""
+        self._end(
+            f"after printing {self.limits.print_bytes / 1e6:g} MB: one run may print no more. "
+            "Is there a print() in a loop that never waits?"
+        )
 
     def _end(self, words: str) -> NoReturn:
         self.line = self._line_of(sys._getframe(1))

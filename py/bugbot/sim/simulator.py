@@ -70,14 +70,17 @@ class Simulator:
         self._speeds = speeds(forward, right, turn)
         self.ever_driven = self.ever_driven or self.driving
 
-    def advance(self, seconds: float, until_blocked: bool = False) -> None:
-        """Let time pass; with `until_blocked` only as long as nothing stops the robot."""
+    def advance(self, seconds: float, until_blocked: bool = False) -> bool:
+        """Let time pass; with `until_blocked` only until something stops the robot.
+
+        Returns whether it ended early, because the robot was stopped.
+        """
         begin = self.t
         end = round(begin + seconds, 9)
         if not self.driving:
             self.odometry.step(0.0, 0.0, 0.0, end - begin)
             self.t = end
-            return
+            return False
         ahead, aside, spin = self._speeds
         self._record_pose()
         heading = begin_heading = self.heading
@@ -102,7 +105,10 @@ class Simulator:
                 self._record_pose()
             if blocked and until_blocked:
                 break
+        else:
+            blocked = False
         self._record_pose()
+        return blocked
 
     def _move(self, dx: float, dy: float, now: float) -> bool:
         """Move by (dx, dy) or as far as it goes; whether something was in the way."""

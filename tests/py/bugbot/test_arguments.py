@@ -119,6 +119,14 @@ Impostor.__name__ = "list"
             TypeError,
             "turn(degrees, speed) wants a number of degrees for degrees; it got '90'",
         ),
+        (
+            forward,
+            (5e-324, 3),
+            ValueError,
+            "forward(speed, distance) wants a speed other than 0 when it has a distance; "
+            "it got speed 5e-324",
+        ),
+        (turn, (90, 5e-324), ValueError, SPEED + "5e-324"),
         (turn, (90, 0), ValueError, SPEED + "0"),
         (turn, (90, -20), ValueError, SPEED + "-20"),
         (turn, (90, None), TypeError, SPEED + "None"),

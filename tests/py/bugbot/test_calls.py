@@ -90,6 +90,15 @@ def test_forward_against_a_wall_returns_and_has_stopped(
         assert not link.sim.driving
 
 
+def test_a_long_way_that_is_blocked_soon_is_no_limit(
+    make_world: Callable[..., World], make_link: Callable[..., Link]
+) -> None:
+    with connected(make_link(make_world((0, 110, 200, 5), at=(100, 100, 0)))):
+        forward(10, distance=1000)  # would take 870 s
+        assert position() == (0, 5)
+        assert clock() < 5
+
+
 @pytest.mark.parametrize(("call", "facing"), [(left, 300), (right, 60)])
 def test_left_and_right_spin_on_the_spot(
     robot: Link, call: Callable[..., None], facing: float
