@@ -142,28 +142,38 @@ def _text(error: BaseException) -> str:
         return f"(its own text can't be shown: {type(failure).__name__})"
 
 
-_PLAIN = {
-    RecursionError: "a function went on calling itself: too many calls inside one another",
-    MemoryError: "the program wants more memory than there is",
-    ZeroDivisionError: "division by zero",
-}
-"""Errors whose own words are bare or differ from one version of Python to the next."""
+_PLAIN: tuple[tuple[type[BaseException], str, str], ...] = (
+    (
+        RecursionError,
+        r"maximum recursion depth",
+        "a function went on calling itself: too many calls inside one another",
+    ),
+    (MemoryError, r"$", "the program wants more memory than there is"),
+    (ZeroDivisionError, r".*(division|modulo)", "division by zero"),
+    (SyntaxError, r"invalid syntax$", "this can't be read as Python (invalid syntax)"),
+)
+"""Python's own words that are bare, or differ from one version to the next, and plainer ones."""
 
 
 def _message(case: Case, error: BaseException) -> str:
     if isinstance(error, BaseExceptionGroup):
         parts = "; ".join(f"{type(each).__name__}: {_text(each)}" for each in error.exceptions)
         return _short(f"{len(error.exceptions)} errors at once: {parts}", _LONGEST_MESSAGE)
-    plain = next((words for kind, words in _PLAIN.items() if type(error) is kind), None)
+    plain = next(
+        (
+            words
+            for kind, pattern, words in _PLAIN
+            if type(error) is kind and re.match(pattern, case.message)
+        ),
+        None,
+    )
     if plain is None:
         plain = plain_arguments(case)
     if plain is None and isinstance(error, KeyError) and len(error.args) == 1:
         plain = f"there is no key {case.message}"
-    if plain is None and isinstance(error, SyntaxError):
+    if plain is None:
         plain = re.sub(r" \(detected at line \d+\)$", "", case.message)
-        if plain == "invalid syntax":
-            plain = "this can't be read as Python (invalid syntax)"
-    return _short(plain or case.message or _without_words(error), _LONGEST_MESSAGE)
+    return _short(plain or _without_words(error), _LONGEST_MESSAGE)
 
 
 def _without_words(error: BaseException) -> str:

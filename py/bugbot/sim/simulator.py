@@ -86,6 +86,7 @@ class Simulator:
         heading = begin_heading = self.heading
         steps = ceil((end - begin) / STEP_S - 1e-6)
         before = begin
+        stopped = False
         for step in range(1, steps + 1):
             now = end if step == steps else round(begin + step * STEP_S, 9)
             length = now - before
@@ -103,12 +104,11 @@ class Simulator:
             self.t = before = now
             if step % _POSE_EVERY_STEPS == 0:
                 self._record_pose()
-            if blocked and until_blocked:
+            stopped = blocked and until_blocked
+            if stopped:
                 break
-        else:
-            blocked = False
         self._record_pose()
-        return blocked
+        return stopped
 
     def _move(self, dx: float, dy: float, now: float) -> bool:
         """Move by (dx, dy) or as far as it goes; whether something was in the way."""

@@ -60,7 +60,7 @@ def test_an_error_raised_in_a_library_is_on_the_learners_line(run: Run) -> None:
         ("assert 1 == 2, 'as I said'", "AssertionError", "as I said"),
         ("next(iter([]))", "StopIteration", "a StopIteration, without a message"),
         ("x = [0] * 10**14", "MemoryError", "the program wants more memory than there is"),
-        ("raise ZeroDivisionError('mine')", "ZeroDivisionError", "division by zero"),
+        ("raise ZeroDivisionError('mine')", "ZeroDivisionError", "mine"),
         ("class E(Exception): pass\nraise E('mine')", "E", "mine"),
         ("class E(BaseException): pass\nraise E('mine')", "E", "mine"),
         ("from bugbot import *\nraise BugbotError('mine')", "Exception", "mine"),

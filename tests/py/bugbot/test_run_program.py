@@ -260,8 +260,9 @@ def test_warnings_are_shown_in_the_console_whatever_the_host_does_with_them(run:
             warnings.warn("later", PendingDeprecationWarning)
             warnings.warn_explicit("elsewhere", UserWarning, "other.py", 7)
         """)
-    assert ran.console.splitlines() == [
-        'Line 3: SyntaxWarning: "is" with a literal. Did you mean "=="?',
+    first, *rest = ran.console.splitlines()
+    assert first.startswith('Line 3: SyntaxWarning: "is" with ')
+    assert rest == [
         "Line 4: UserWarning: mind the gap",
         "Line 5: DeprecationWarning: old",
         "other.py: UserWarning: elsewhere",

@@ -131,6 +131,7 @@ NAMES = [
     ("from bugbot import foward\n", 1, "Did you mean forward?"),
     ("from math import sinus\n", 1, None),
     ("raise ModuleNotFoundError('no tkinter', name='tkinter')\n", 1, "can't be had in a browser"),
+    ("raise ModuleNotFoundError('no numpy', name='numpy')\n", 1, "python -m pip install numpy"),
     ("raise NameError\n", 1, None),
     ("raise AttributeError\n", 1, None),
     ("raise UnboundLocalError('strange')\n", 1, "nothing has given it a value"),
@@ -214,6 +215,7 @@ VALUES = [
     ("t = {1: 2}\nfor k in t:\n    t[k + 1] = 3\n", "go through list(…) of it"),
     ("import numpy as np\nif np.zeros(3) == 0:\n    pass\n", "(…).any() or (…).all()"),
     ("x = [0] * 10**14\n", "grow without end"),
+    ("x = [0] * 10**40\n", "grow without end"),
     ("raise ValueError('something else')\n", None),
     ("raise KeyError\n", None),
 ]

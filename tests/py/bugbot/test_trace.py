@@ -2,6 +2,7 @@ import io
 import json
 import sys
 from array import array
+from collections.abc import Callable
 from typing import Any
 
 import pytest
@@ -48,6 +49,11 @@ def test_every_kind_comes_back_from_a_file_as_it_went_in() -> None:
     assert again.events == [tuple(event) for event in trace.events]
     assert again.points == trace.points
     assert {event[0] for event in again.events} == set(KINDS)
+
+
+def test_the_format_of_the_file_has_not_changed(golden: Callable[[str, str], None]) -> None:
+    """Saved runs must open in later versions: a changed line here wants a new VERSION."""
+    golden("every-kind.trace", "".join(saved(recorded())))
 
 
 def test_of_kind_gives_the_names_of_the_fields() -> None:

@@ -178,6 +178,8 @@ def _module(case: Case) -> str | None:
     near = nearest(wanted, ["bugbot", *_MODULES])
     if near and near != wanted:
         return _meant(near, wanted)
+    if wanted == "numpy":
+        return "numpy is not there yet. On your own computer: python -m pip install numpy"
     if wanted in sys.stdlib_module_names:
         return f"{wanted} is part of Python, but can't be had in a browser."
     return (

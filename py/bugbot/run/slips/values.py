@@ -147,12 +147,14 @@ def _array_truth(case: Case) -> str | None:
 
 
 def _memory(case: Case) -> str | None:
-    if isinstance(case.error, MemoryError):
+    too_large = isinstance(case.error, OverflowError) and "index-sized" in case.message
+    if isinstance(case.error, MemoryError) or too_large:
         return "Does a list or a text grow without end?"
     return None
 
 
 SLIPS: tuple[Slip, ...] = (
+    _memory,
     _index_out_of_range,
     _float_index,
     _pair_index,
@@ -166,5 +168,4 @@ SLIPS: tuple[Slip, ...] = (
     _conversion,
     _changed_while_looping,
     _array_truth,
-    _memory,
 )
