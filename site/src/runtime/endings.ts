@@ -57,7 +57,8 @@ export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
       return fault(
         t,
         "InternalError",
-        "Something went wrong in the site itself, not in your program. Please run it again.",
+        "Something went wrong outside your program's own lines. If the program changes parts of Python or " +
+          "of bugbot itself, that is why; if not, it is a fault of the site. The next run starts afresh.",
         null,
         ending.message,
       );
