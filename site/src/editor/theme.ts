@@ -72,20 +72,21 @@ const popups = EditorView.theme({
     border: "1px solid var(--line)",
     borderRadius: "8px",
     boxShadow: "0 8px 24px -12px #0006",
-    overflow: "hidden",
     zIndex: "30",
   },
   ".cm-tooltip.cm-tooltip-autocomplete > ul": {
     fontFamily: "var(--code)",
     fontSize: "13px",
     maxHeight: "15em",
+    borderRadius: "7px",
   },
+  ".cm-tooltip.cm-completionInfo": { padding: "0", margin: "0 4px" },
   ".cm-tooltip.cm-tooltip-autocomplete > ul > li": { padding: "5px 10px" },
   ".cm-tooltip-autocomplete ul li[aria-selected], .cm-tooltip-autocomplete-disabled ul li[aria-selected]":
     { backgroundColor: "var(--accent)", color: "var(--accent-ink)" },
   ".cm-completionDetail": { fontStyle: "normal", opacity: "0.8" },
   ".cm-completionMatchedText": { textDecoration: "none", fontWeight: "700" },
-  ".cm-completionInfo, .cm-call-help": {
+  ".cm-call-help": {
     font: "13px/1.5 var(--ui)",
     padding: "8px 12px",
     maxWidth: "min(40ch, 80vw)",
@@ -95,7 +96,9 @@ const popups = EditorView.theme({
     display: "block",
     fontFamily: "var(--code)",
     fontWeight: "600",
-    marginBottom: "4px",
+    marginBottom: "6px",
+    padding: "0",
+    background: "none",
   },
   ".cm-diagnostic": {
     font: "13px/1.5 var(--ui)",

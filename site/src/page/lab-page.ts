@@ -31,25 +31,20 @@ function showNotices(asked: ReadAddress, worlds: readonly World[]): void {
   if (!place) return;
   const used = worlds.find(({ name }) => name === asked.world)?.title ?? asked.world;
   const { unknownWorld, seedProblem, seed } = asked;
+  if (unknownWorld === null && seedProblem === null) return;
+  const links = worlds.map(
+    ({ name, title }, i) =>
+      html`${i ? ", " : ""}<a href=${writeAddress({ world: name, seed })}>${title}</a>`,
+  );
   render(
-    html`${
-      unknownWorld === null
-        ? nothing
-        : html`<div class="notice" role="alert">
-            <p>
-              ${pickerWords.unknownWorld(unknownWorld, used)}
-              ${worlds.map(
-                ({ name, title }, i) =>
-                  html`${i ? ", " : ""}<a href=${writeAddress({ world: name, seed })}>${title}</a>`,
-              )}.
-            </p>
-          </div>`
-    }
-    ${
-      seedProblem === null
-        ? nothing
-        : html`<div class="notice" role="alert"><p>${seedProblem}</p></div>`
-    }`,
+    html`<div class="notice" role="alert">
+      ${
+        unknownWorld === null
+          ? nothing
+          : html`<p>${pickerWords.unknownWorld(unknownWorld, used)} ${links}.</p>`
+      }
+      ${seedProblem === null ? nothing : html`<p>${seedProblem}</p>`}
+    </div>`,
     place,
   );
 }

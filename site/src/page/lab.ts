@@ -8,30 +8,23 @@
  *
  * May import every room of the site but `worker`.
  */
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { LitElement, type PropertyValues, type TemplateResult } from "lit";
 import { Player } from "../player/player.ts";
 import type { Outcome, World } from "../trace/events.ts";
 import { writeTraceFile } from "../trace/file.ts";
 import { outcomeOf } from "../trace/outcome.ts";
 import type { Trace } from "../trace/trace.ts";
-import { icons } from "../ui/icons.ts";
-import { editorWords, labWords, pickerWords, starterProgram, statusWords } from "../ui/strings.ts";
+import { labWords, pickerWords, starterProgram, statusWords } from "../ui/strings.ts";
 import { FIRST_SEED } from "./address.ts";
 import { applyCodeSize, changeCodeSize } from "./code-size.ts";
 import { emptyTrace } from "./empty-trace.ts";
-import "./lab.css";
+import { labFace } from "./lab-face.ts";
 import { LabProgram } from "./lab-program.ts";
-import { pickers } from "./pickers.ts";
-import { playbackKey } from "./playback-keys.ts";
-import { problem } from "./problem.ts";
+import type { PickersInput } from "./pickers.ts";
 import { Runner } from "./runner.ts";
 import type { Services } from "./services.ts";
-import { type Note, status } from "./status.ts";
+import type { Note, StatusInput } from "./status.ts";
 import type { LabTransport } from "./transport.ts";
-import "./transport.ts";
-import "../views/chart.ts";
-import "../views/console.ts";
-import "../views/overhead/overhead.ts";
 
 export class BugbotLab extends LitElement {
   static override properties = {
@@ -247,81 +240,54 @@ export class BugbotLab extends LitElement {
     this.#program?.follow(over ? null : trace.lineAt(time));
   }
 
-  async #stopAndReturn(): Promise<void> {
+  #stopAndReturn(): void {
     this.stop();
     // The Stop button goes out with the run; the focus must not go with it.
     this.querySelector<HTMLElement>(".lab-bar .go")?.focus();
   }
 
-  #onViewKey(event: KeyboardEvent): void {
-    playbackKey(event, this.#player);
-  }
-
   // -- what is drawn -----------------------------------------------------------------
 
   override render(): TemplateResult {
-    const { phase, trace } = this.#runner;
-    const ended = phase === "ended";
-    const busy = phase === "running" || phase === "waiting";
-    const fault = ended ? (trace?.fault ?? null) : null;
-    return html`<section class="lab" aria-label=${this.label || labWords.untitled}>
-      <div class="lab-bar">
-        ${this.label ? html`<h2 class="title">${this.label}</h2>` : nothing}
-        ${this.pickers ? this.#pickers() : nothing}
-        <div class="lab-actions">
-          <button type="button" @click=${() => this.#reset()}>${labWords.reset}</button>
-          <button type="button" ?disabled=${!busy} @click=${() => this.#stopAndReturn()}>
-            ${icons.stop}${labWords.stop}
-          </button>
-          <button type="button" class="go" @click=${() => void this.run()}>
-            ${icons.play}${labWords.run}
-          </button>
-        </div>
-      </div>
-      ${status({
-        phase,
-        runtime: this.#services.runtime,
-        reached: trace?.duration ?? 0,
-        end: ended ? (trace?.end ?? null) : null,
-        fault,
-        note: this.#note,
-        runNote: this.#runner.note,
-        onRetry: () => this.#services.runtime.warm(),
-        onLine: (line) => this.#program?.goToLine(line),
-      })}
-      <div class="lab-columns">
-        <div class="lab-program">
-          <div class="lab-editor"></div>
-          <div class="lab-tools">
-            <p id=${this.#hintId}>${editorWords.hint}</p>
-            <button type="button" aria-label=${editorWords.smaller}
-              @click=${() => changeCodeSize(this, -1)}>A−</button>
-            <button type="button" aria-label=${editorWords.larger}
-              @click=${() => changeCodeSize(this, 1)}>A+</button>
-          </div>
-          ${problem(fault)}
-        </div>
-        <console-view .player=${this.#player}></console-view>
-        <overhead-view
-          .player=${this.#player}
-          .earlier=${this.#earlier}
-          @keydown=${this.#onViewKey}
-        ></overhead-view>
-        <chart-view .player=${this.#player} .earlier=${this.#earlier}></chart-view>
-      </div>
-      <lab-transport .player=${this.#player}></lab-transport>
-    </section>`;
+    return labFace({
+      label: this.label,
+      hintId: this.#hintId,
+      player: this.#player,
+      earlier: this.#earlier,
+      pickers: this.pickers ? this.#pickers() : null,
+      status: this.#status(),
+      onReset: () => this.#reset(),
+      onStop: () => this.#stopAndReturn(),
+      onRun: () => void this.run(),
+      onCodeSize: (by) => changeCodeSize(this, by),
+    });
   }
 
-  #pickers(): TemplateResult {
-    return pickers({
+  #status(): StatusInput {
+    const { phase, trace, note } = this.#runner;
+    const ended = phase === "ended" ? trace : null;
+    return {
+      phase,
+      runtime: this.#services.runtime,
+      reached: trace?.duration ?? 0,
+      end: ended?.end ?? null,
+      fault: ended?.fault ?? null,
+      note: this.#note,
+      runNote: note,
+      onRetry: () => this.#services.runtime.warm(),
+      onLine: (line) => this.#program?.goToLine(line),
+    };
+  }
+
+  #pickers(): PickersInput {
+    return {
       worlds: this.#services.worlds,
       world: this.world,
       seed: this.seed,
       onWorld: (world) => this.#choose({ world }),
       onSeed: (seed) => this.#choose({ seed }),
       onBadSeed: (text) => this.#say({ text }),
-    });
+    };
   }
 }
 

@@ -8,6 +8,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import type { End, Fault } from "../trace/events.ts";
 import { labWords, statusWords } from "../ui/strings.ts";
+import "./status.css";
 
 /** Where the lab's own program is. Python's start-up is `runtime`'s business. */
 export type Phase = "idle" | "waiting" | "running" | "ended";

@@ -11,6 +11,7 @@ import { icons } from "../ui/icons.ts";
 import { transportWords } from "../ui/strings.ts";
 import { PACES, type Pace, rememberedPace, rememberPace, USUAL_SPEED } from "./pace.ts";
 import { playbackKey, sliderKey } from "./playback-keys.ts";
+import "./transport.css";
 
 export class LabTransport extends LitElement {
   declare player: Player;

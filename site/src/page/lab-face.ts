@@ -1,0 +1,77 @@
+/**
+ * What a lab looks like, drawn from its state; what a person does to it goes to the handlers.
+ * May import every room of the site but `worker`.
+ */
+import { html, nothing, type TemplateResult } from "lit";
+import type { Player } from "../player/player.ts";
+import type { Trace } from "../trace/trace.ts";
+import { icons } from "../ui/icons.ts";
+import { editorWords, labWords } from "../ui/strings.ts";
+import "../views/chart.ts";
+import "../views/console.ts";
+import "../views/overhead/overhead.ts";
+import "./lab.css";
+import { type PickersInput, pickers } from "./pickers.ts";
+import { playbackKey } from "./playback-keys.ts";
+import { problem } from "./problem.ts";
+import { type StatusInput, status } from "./status.ts";
+import "./transport.ts";
+
+export interface LabFace {
+  label: string;
+  /** Id for the sentence that says how to leave the editor. */
+  hintId: string;
+  player: Player;
+  /** The run to compare the one on show with. */
+  earlier: Trace | null;
+  /** Null where the world and the noise are not to be chosen. */
+  pickers: PickersInput | null;
+  status: StatusInput;
+  onReset(): void;
+  onStop(): void;
+  onRun(): void;
+  /** Larger (+1) or smaller (-1) text in the editor. */
+  onCodeSize(by: 1 | -1): void;
+}
+
+export function labFace(face: LabFace): TemplateResult {
+  const { label, player, earlier } = face;
+  return html`<section class="lab" aria-label=${label || labWords.untitled}>
+    <div class="lab-bar">
+      ${label ? html`<h2 class="title">${label}</h2>` : nothing}
+      ${face.pickers ? pickers(face.pickers) : nothing} ${actions(face)}
+    </div>
+    ${status(face.status)}
+    <div class="lab-columns">
+      <div class="lab-program">
+        <div class="lab-editor"></div>
+        ${tools(face)} ${problem(face.status.fault)}
+      </div>
+      <console-view .player=${player}></console-view>
+      <overhead-view
+        .player=${player}
+        .earlier=${earlier}
+        @keydown=${(event: KeyboardEvent) => playbackKey(event, player)}
+      ></overhead-view>
+      <chart-view .player=${player} .earlier=${earlier}></chart-view>
+    </div>
+    <lab-transport .player=${player}></lab-transport>
+  </section>`;
+}
+
+function actions({ status: { phase }, onReset, onStop, onRun }: LabFace): TemplateResult {
+  const busy = phase === "running" || phase === "waiting";
+  return html`<div class="lab-actions">
+    <button type="button" @click=${onReset}>${labWords.reset}</button>
+    <button type="button" ?disabled=${!busy} @click=${onStop}>${icons.stop}${labWords.stop}</button>
+    <button type="button" class="go" @click=${onRun}>${icons.play}${labWords.run}</button>
+  </div>`;
+}
+
+function tools({ hintId, onCodeSize }: LabFace): TemplateResult {
+  return html`<div class="lab-tools">
+    <p id=${hintId}>${editorWords.hint}</p>
+    <button type="button" aria-label=${editorWords.smaller} @click=${() => onCodeSize(-1)}>A−</button>
+    <button type="button" aria-label=${editorWords.larger} @click=${() => onCodeSize(1)}>A+</button>
+  </div>`;
+}
