@@ -9,9 +9,10 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+from pyodide.ffi import to_js  # type: ignore[import-not-found]  # exists only in the browser
+
 from bugbot.run import Limits, run_program
 from bugbot.trace import Trace
-from pyodide.ffi import to_js  # type: ignore[import-not-found]  # exists only in the browser
 
 __all__ = ["missing_modules", "run"]
 

@@ -7,10 +7,11 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import pytest
+from programs import DEMOS, drawn_map, obstacles_of, run, score_of, value_at
+
 from bugbot import worlds
 from mapping.frontiers import known_states, regions, states_by_probability
 from mapping.mapper import Mapper
-from programs import DEMOS, drawn_map, obstacles_of, run, score_of, value_at
 
 WORLDS = {
     "demo-1-from-one-spot": "post-and-shelf",

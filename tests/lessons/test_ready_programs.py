@@ -7,8 +7,9 @@ import json
 import re
 
 import pytest
-from bugbot import worlds
 from programs import DEMOS, LESSONS, run, score_of
+
+from bugbot import worlds
 
 ENTRIES = json.loads((LESSONS / "lab" / "lab.json").read_text("utf-8"))
 FILES = sorted({*DEMOS.glob("*.py"), *(LESSONS / "lab" / "programs").glob("*.py")})

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+
 from bugbot import backward, beep, draw, drive, forward, led, left, plot, right, turn, wait
 from bugbot.errors import BugbotError, got, nearest
 from bugbot.link import Link

@@ -6,6 +6,7 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
+
 from bugbot.run import Limits, run_program, watchdog
 from bugbot.trace import Trace
 

@@ -3,9 +3,10 @@
 from collections.abc import Callable
 from typing import Any
 
-import bugbot
 import numpy as np
 import pytest
+
+import bugbot
 from bugbot import (
     Robot,
     backward,

@@ -8,8 +8,9 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-import bugbot
 import pytest
+
+import bugbot
 from bugbot import worlds
 from bugbot.cli import main
 from bugbot.run import outcome_of, run_program

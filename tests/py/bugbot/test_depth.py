@@ -1,6 +1,9 @@
 from math import cos, radians, sin, sqrt
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
 from bugbot.sim.depth import (
     AHEAD,
     ANGLES_DEG,
@@ -11,8 +14,6 @@ from bugbot.sim.depth import (
     read,
 )
 from bugbot.sim.noise import DEPTH_SD_CM, generator
-from hypothesis import given
-from hypothesis import strategies as st
 
 BOX = (120.0, 120.0, 140.0, 130.0)  # left, bottom, right, top
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+
 from bugbot.run.faults import fault_of
 from bugbot.sim import simulator
 

@@ -1,6 +1,9 @@
 import doctest
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
 from bugbot import frames
 from bugbot.frames import (
     cell_centre,
@@ -10,8 +13,6 @@ from bugbot.frames import (
     turn_between,
     wrap_heading,
 )
-from hypothesis import given
-from hypothesis import strategies as st
 
 headings = st.floats(-1e6, 1e6)
 on_mat = st.floats(0, 200, exclude_max=True)

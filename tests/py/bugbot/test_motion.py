@@ -1,9 +1,10 @@
 from math import hypot, sqrt
 
 import pytest
-from bugbot.sim.motion import first_touch, speeds
 from hypothesis import assume, given
 from hypothesis import strategies as st
+
+from bugbot.sim.motion import first_touch, speeds
 
 BOX = (120.0, 120.0, 140.0, 130.0)  # left, bottom, right, top
 RADIUS = 5.0

@@ -3,6 +3,7 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
+
 from bugbot.own_clock import EPOCH_S, simulated_time
 
 CLOCKS = (

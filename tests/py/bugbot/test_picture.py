@@ -6,9 +6,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from PIL import Image
+
 from bugbot.picture import PictureError, save_picture
 from bugbot.worlds import World
-from PIL import Image
 
 Run = Callable[..., Any]
 

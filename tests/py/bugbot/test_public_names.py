@@ -5,8 +5,9 @@ import inspect
 import pkgutil
 from collections.abc import Callable
 
-import bugbot
 import pytest
+
+import bugbot
 from bugbot import api
 from bugbot.link import Link, connected
 from bugbot.run.slips.case import CALLS

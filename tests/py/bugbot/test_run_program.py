@@ -15,8 +15,9 @@ from collections.abc import Callable
 from textwrap import dedent
 from typing import Any
 
-import bugbot
 import pytest
+
+import bugbot
 from bugbot import worlds
 from bugbot.errors import WorldError
 from bugbot.link import NoRobotError

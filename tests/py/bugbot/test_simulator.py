@@ -4,13 +4,14 @@ from math import cos, hypot, pi, radians, sin
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
 from bugbot import worlds
 from bugbot.frames import turn_between
 from bugbot.sim.simulator import Simulator
 from bugbot.trace import Trace
 from bugbot.worlds import World
-from hypothesis import given
-from hypothesis import strategies as st
 
 Worlds = Callable[..., World]
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np  # noqa: F401  some programs import it
 import pytest
+
 from bugbot.run.slips import likely_cause
 from bugbot.run.slips.case import Case, bare_calls
 

@@ -5,6 +5,7 @@ import signal
 from collections.abc import Callable
 
 import pytest
+
 from bugbot import supervisor
 from bugbot.supervisor import supervised
 from bugbot.trace import Trace

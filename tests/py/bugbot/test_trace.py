@@ -6,10 +6,11 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from bugbot import trace as trace_module
-from bugbot.trace import KINDS, Trace, TraceError, storable
 from hypothesis import given
 from hypothesis import strategies as st
+
+from bugbot import trace as trace_module
+from bugbot.trace import KINDS, Trace, TraceError, storable
 
 WORLD = {"name": "empty"}
 

@@ -4,6 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+
 from bugbot import worlds
 from bugbot.errors import WorldError
 from bugbot.frames import MAT_CM, ROBOT_RADIUS_CM

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
+
 from mapping import arrays, frontiers
 from mapping.arrays import ArrayMapper
 from mapping.beam import Weights

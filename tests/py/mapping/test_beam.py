@@ -4,9 +4,10 @@ from itertools import pairwise
 from math import inf, nan
 
 import pytest
-from bugbot.errors import WrongValueError
 from hypothesis import given
 from hypothesis import strategies as st
+
+from bugbot.errors import WrongValueError
 from mapping.beam import (
     Weights,
     bresenham,

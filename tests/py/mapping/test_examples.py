@@ -4,8 +4,9 @@ import doctest
 import importlib
 import pkgutil
 
-import mapping
 import pytest
+
+import mapping
 
 
 @pytest.mark.parametrize("name", [each.name for each in pkgutil.iter_modules(mapping.__path__)])

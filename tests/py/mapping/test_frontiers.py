@@ -1,9 +1,10 @@
 """States, frontiers, regions and goals on maps drawn as text."""
 
 import pytest
-from bugbot.errors import WrongValueError
 from hypothesis import given
 from hypothesis import strategies as st
+
+from bugbot.errors import WrongValueError
 from mapping.frontiers import (
     State,
     choose_goal,

@@ -1,9 +1,10 @@
 """Cells of the mat, on grids of 2 by 2 and 3 by 3."""
 
 import pytest
-from bugbot.errors import WrongValueError
 from hypothesis import given
 from hypothesis import strategies as st
+
+from bugbot.errors import WrongValueError
 from mapping.grid import Grid
 
 sizes = st.floats(1, 200)

@@ -3,9 +3,10 @@
 from math import inf, log, nan
 
 import pytest
-from bugbot.errors import WrongValueError
 from hypothesis import given
 from hypothesis import strategies as st
+
+from bugbot.errors import WrongValueError
 from mapping.log_odds import clamped, log_odds, probability
 
 

@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
+
 from mapping.beam import Weights, end_of_beam, passed_by_bresenham
 from mapping.mapper import Mapper
 

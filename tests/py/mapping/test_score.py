@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
 from mapping.frontiers import State
 from mapping.grid import Grid
 from mapping.score import gap_cm, score
