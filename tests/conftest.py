@@ -9,13 +9,14 @@ from textwrap import dedent
 from typing import Any
 
 import pytest
+from hypothesis import settings
+
 from bugbot import worlds
 from bugbot.link import Link, connected
 from bugbot.run import Limits, outcome_of, run_program
 from bugbot.run.limits import Meter
 from bugbot.trace import Trace
 from bugbot.worlds import World
-from hypothesis import settings
 
 # A slow machine is no failure, and a red test must be red again when it is run again.
 settings.register_profile("here", deadline=None, derandomize=True)
