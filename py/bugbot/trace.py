@@ -138,6 +138,8 @@ class Trace:
         """Append one event: its kind, then its values in the order of KINDS."""
         self.events.append(event)
         self.bytes += 64
+        if event[0] == "scan":
+            self.bytes += 8 * len(event[5])
 
     def write(self, t: float, stream: str, text: str) -> None:
         """Append printed text; joins the event before if that is the same stream and time."""

@@ -21,8 +21,8 @@ export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
       return end(
         t,
         "limit",
-        `Stopped: the program computed for ${limits.silent_s} seconds without letting any simulated time ` +
-          "pass. Is there a loop that never ends, or one without wait()?",
+        `Stopped after ${limits.silent_s} s of computing in which no simulated time passed: ` +
+          "a loop that goes on and on needs a wait() in it.",
       );
     case "finished":
       return fault(
