@@ -4,6 +4,7 @@
 import { api, readyPrograms, worlds } from "virtual:bugbot";
 import { showHome } from "./page/home.ts";
 import { showThemeSwitch } from "./page/theme-switch.ts";
+import { whenWanted } from "./page/when-wanted.ts";
 
 for (const place of document.querySelectorAll<HTMLElement>(".theme-switch")) showThemeSwitch(place);
 
@@ -28,7 +29,7 @@ async function startLabs(): Promise<void> {
   defineLab({ runtime, worlds: worldsInOrder, readyPrograms, calls: api, store });
   const lab = document.querySelector(".lab-page bugbot-lab");
   if (lab instanceof BugbotLab) showLabPage(lab, worldsInOrder);
-  runtime.warm();
+  whenWanted([...document.querySelectorAll("bugbot-lab")], () => runtime.warm());
 }
 
 /** Worlds come in the order of their programs: the order to meet them in. */

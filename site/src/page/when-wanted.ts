@@ -1,0 +1,53 @@
+/**
+ * When to fetch Python: some 10 MB that a reader who never runs a program should not pay for at
+ * once. Imports nothing of ours.
+ */
+
+/** A lab this far below the screen will be on it soon. */
+const NEAR = "600px";
+
+/** What browsers with a data saver tell; others tell nothing. */
+interface Connection {
+  connection?: { saveData?: boolean };
+}
+
+/**
+ * Call `start` once: when one of the labs comes near the screen, or the page has loaded and has
+ * nothing else to do. Where the reader saves data, only when they reach for a lab. (A lab's Run
+ * starts Python in any case.)
+ */
+export function whenWanted(labs: readonly Element[], start: () => void): void {
+  const wanted = new AbortController();
+  const { signal } = wanted;
+  const once = (): void => {
+    if (signal.aborted) return;
+    wanted.abort();
+    start();
+  };
+  if ((navigator as Navigator & Connection).connection?.saveData) {
+    for (const lab of labs) {
+      lab.addEventListener("pointerdown", once, { signal });
+      lab.addEventListener("focusin", once, { signal });
+    }
+    return;
+  }
+  const observer = new IntersectionObserver(
+    (entries) => {
+      if (entries.some((entry) => entry.isIntersecting)) once();
+    },
+    { rootMargin: NEAR },
+  );
+  for (const lab of labs) observer.observe(lab);
+  signal.addEventListener("abort", () => observer.disconnect());
+  whenIdle(once);
+}
+
+function whenIdle(callback: () => void): void {
+  const ask = (): void => {
+    // Safari has no requestIdleCallback; a while after loading is near enough.
+    if ("requestIdleCallback" in window) requestIdleCallback(callback);
+    else setTimeout(callback, 2000);
+  };
+  if (document.readyState === "complete") ask();
+  else addEventListener("load", ask, { once: true });
+}
