@@ -77,6 +77,7 @@ def test_where_a_straight_step_first_touches(
         (115.5, 100, 0, 17),  # into the square about the corner, but not up to it
         (110, 118, 8, -10),  # round the corner, outside its circle
         (148, 134.5, -2, 6),  # past the corner
+        (116, 116, -1, -2),  # from inside the square about the corner, away
     ],
 )
 def test_steps_that_touch_nothing(x: float, y: float, dx: float, dy: float) -> None:

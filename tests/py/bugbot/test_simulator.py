@@ -120,6 +120,18 @@ def test_each_new_contact_is_a_bump_of_its_own(make_world: Worlds) -> None:
     assert len(list(trace.of_kind("bump"))) == 2
 
 
+def test_a_bump_in_the_first_moment_after_standing_comes_after_the_standing(
+    make_world: Worlds,
+) -> None:
+    sim, trace = simulator(make_world((0, 150, 200, 8), at=(100, 144.9, 0)))
+    sim.advance(1)
+    sim.drive(100, 0, 0)
+    sim.advance(0.1)
+    sim.finish()
+    times = [(event[0], event[1]) for event in trace.events]
+    assert times == [("pose", 0.0), ("pose", 1.0), ("bump", 1.02), ("pose", 1.04), ("pose", 1.1)]
+
+
 def test_a_blocked_robot_that_turns_comes_free(make_world: Worlds) -> None:
     sim, _ = simulator(make_world((0, 150, 200, 8), at=(100, 145, 0)))
     sim.drive(100, 0, 25)  # 30 degrees/s: from 90 degrees on it leads away
