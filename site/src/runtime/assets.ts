@@ -11,7 +11,7 @@ import type { Boot } from "./messages.ts";
 export class Assets {
   readonly progress = new Progress();
   readonly #module: Promise<WebAssembly.Module>;
-  readonly #snapshot: Promise<Blob | null>;
+  #snapshot: Promise<Blob | null>;
   readonly #sources: Promise<Record<string, string>>;
   #stdlib: Promise<ArrayBuffer> | null = null;
   #stdlibBytes: ArrayBuffer | null = null;
@@ -26,7 +26,10 @@ export class Assets {
     );
     this.#snapshot = this.#unpack(files.snapshot).then(
       (response) => response.blob(),
-      (error: unknown) => this.#withoutSnapshot(error),
+      (error: unknown) => {
+        note(error);
+        return null;
+      },
     );
     this.#sources = this.#unpack(files.sources).then(
       (response) => response.json() as Promise<Record<string, string>>,
@@ -74,10 +77,15 @@ export class Assets {
     return this.#numpy;
   }
 
-  /** Start plainly from now on: slower, but it works. */
-  #withoutSnapshot(error: unknown): null {
-    console.info("Python starts without its memory snapshot:", error);
-    return null;
+  /**
+   * Start plainly from now on: slower, but it works. False if that is what was tried already.
+   * @param error why the snapshot is of no use
+   */
+  async dropSnapshot(error: unknown): Promise<boolean> {
+    if ((await this.#snapshot) === null) return false;
+    note(error);
+    this.#snapshot = Promise.resolve(null);
+    return true;
   }
 
   #unpack(file: PythonFile, contentType?: string): Promise<Response> {
@@ -87,6 +95,10 @@ export class Assets {
   async #bytes(file: PythonFile, progress: Progress): Promise<ArrayBuffer> {
     return new Response(await fetchCounted(download(file), progress)).arrayBuffer();
   }
+}
+
+function note(error: unknown): void {
+  console.info("Python starts without its memory snapshot:", error);
 }
 
 function url(path: string): string {

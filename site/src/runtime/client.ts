@@ -75,6 +75,13 @@ export class Runtime extends EventTarget {
     await this.#pool?.prepare();
   }
 
+  /** Many short runs are coming: have so many interpreters to spare. 1 gives the others back. */
+  expect(spares: number): void {
+    this.#pool?.hold(spares);
+    // A failure shows when an interpreter is needed.
+    if (this.#state === "ready") this.#pool?.prepare().catch(() => {});
+  }
+
   async #start(): Promise<void> {
     const assets = new Assets();
     const pool = new Pool(() => assets.boot());
@@ -83,7 +90,10 @@ export class Runtime extends EventTarget {
     assets.progress.addEventListener("change", () => this.#changed());
     this.#become("loading");
     try {
-      await pool.prepare();
+      await pool.prepare().catch(async (error: unknown) => {
+        if (!(await assets.dropSnapshot(error))) throw error;
+        await pool.prepare();
+      });
     } catch (error) {
       this.#become("failed", error instanceof Error ? error.message : String(error));
       return;

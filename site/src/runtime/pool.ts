@@ -1,5 +1,5 @@
 /**
- * The page's workers: one spare that is ready, and those that are running a program.
+ * The page's workers: spares that are ready, most often one, and those that are running a program.
  *
  * A worker runs one program and is thrown away, so nothing leaks from one run to the next, and
  * stopping is ending the worker: no shared memory, no special headers, works against any loop.
@@ -54,30 +54,55 @@ export class Interpreter {
 
 export class Pool {
   #boot: () => Promise<Boot>;
-  #spare: Promise<Interpreter> | null = null;
+  /** Ready or on their way, the first to be ready first. */
+  #spares: Promise<Interpreter>[] = [];
+  #wanted = 1;
 
   /** @param boot gives what a new worker is handed */
   constructor(boot: () => Promise<Boot>) {
     this.#boot = boot;
   }
 
-  /** Have a spare on its way. Resolves when it is ready; rejects if none can be started. */
-  async prepare(): Promise<void> {
-    this.#spare ??= this.start();
-    const spare = this.#spare;
-    try {
-      await spare;
-    } catch (error) {
-      if (this.#spare === spare) this.#spare = null;
-      throw error;
+  /** So many spares are to be held from now on; there is one unless more are asked for. */
+  hold(count: number): void {
+    this.#wanted = count;
+    for (const surplus of this.#spares.splice(count)) {
+      surplus.then(
+        (interpreter) => interpreter.end(),
+        () => {},
+      );
     }
   }
 
-  /** The spare, as soon as it is ready. Nobody else gets it; call `prepare` for the next one. */
+  /** Have the spares on their way. Resolves when one is ready; rejects if none can be started. */
+  async prepare(): Promise<void> {
+    this.#spares[0] ??= this.start();
+    const spare = this.#spares[0];
+    try {
+      await spare;
+    } catch (error) {
+      this.#spares = this.#spares.filter((one) => one !== spare);
+      throw error;
+    }
+    // One after the other: side by side each would take longer, the first as well.
+    this.#addNext();
+  }
+
+  #addNext(): void {
+    if (this.#spares.length >= this.#wanted) return;
+    const next = this.start();
+    this.#spares.push(next);
+    next.then(
+      () => this.#addNext(),
+      () => {
+        this.#spares = this.#spares.filter((one) => one !== next);
+      },
+    );
+  }
+
+  /** A spare, as soon as it is ready. Nobody else gets it; call `prepare` for the next one. */
   async take(): Promise<Interpreter> {
-    const spare = this.#spare ?? this.start();
-    this.#spare = null;
-    return spare;
+    return this.#spares.shift() ?? this.start();
   }
 
   /** A new interpreter that is nobody's spare. */
