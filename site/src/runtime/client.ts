@@ -33,6 +33,8 @@ export class Runtime extends EventTarget {
   #error: string | null = null;
   #assets: Assets | null = null;
   #pool: Pool | null = null;
+  /** Settles when the first interpreter is ready, or none can be had. */
+  #started: Promise<void> = Promise.resolve();
   readonly #warmUp: WarmUp | null;
 
   constructor(warmUp: WarmUp | null = null) {
@@ -59,19 +61,31 @@ export class Runtime extends EventTarget {
   /** Start downloading and starting Python. Does nothing when that is under way or done. */
   warm(): void {
     if (this.#state === "loading" || this.#state === "ready") return;
-    void this.#start();
+    this.#started = this.#start();
+    // Whoever waits for it hears of a failure, and the state tells it to everybody.
+    this.#started.catch(() => {});
   }
 
   /** Run a program. Starts Python if need be; the run then waits for it. */
   run(request: RunRequest, listeners: RunListeners = {}): Running {
     this.warm();
-    if (!this.#pool || !this.#assets) throw new Error("warm() leaves a pool behind");
-    return new Run(request, listeners, this.#pool, this.#assets);
+    const started = this.#started;
+    const pool = this.#pool;
+    if (!pool || !this.#assets) throw new Error("warm() leaves a pool behind");
+    const workers: Workers = {
+      take: async () => {
+        await started;
+        return pool.take();
+      },
+      prepare: () => pool.prepare(),
+    };
+    return new Run(request, listeners, workers, this.#assets);
   }
 
   /** Resolves when a run would start at once; rejects if Python can't be started. */
   async ready(): Promise<void> {
     this.warm();
+    await this.#started;
     await this.#pool?.prepare();
   }
 
@@ -96,11 +110,11 @@ export class Runtime extends EventTarget {
       });
     } catch (error) {
       this.#become("failed", error instanceof Error ? error.message : String(error));
-      return;
+      throw error;
     }
     this.#become("ready");
     assets.stdlib().catch(() => {});
-    await this.#runWarmUp(pool, assets);
+    void this.#runWarmUp(pool, assets);
   }
 
   /** In a worker of its own, which is then thrown away: what was compiled serves the next ones. */
