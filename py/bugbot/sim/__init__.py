@@ -8,5 +8,6 @@ May import: the standard library, `bugbot.errors`, `bugbot.frames`, `bugbot.trac
     motion.py      speeds, and where a moving circle first touches something
     depth.py       the eight beams of the depth sensor
     odometry.py    dead reckoning: what the robot believes it did
+    rounding.py    what makes every engine keep the same numbers
     noise.py       the seeded generators and how strong each noise is
 """

@@ -6,10 +6,8 @@ Rays begin at the robot's centre and end at the first solid, an obstacle or the
 wall round the mat. Solids include their edges: a ray that only grazes one ends
 there.
 
-A ray's direction is the robot's heading turned by the beam's angle. Sines and
-cosines differ in their last bits between engines, so the heading's are rounded to
-12 decimals and the beams' are constants: all that follows is plain arithmetic,
-which does not differ.
+A ray's direction is the robot's heading turned by the beam's angle, by plain
+arithmetic with sines and cosines that are rounded first (see `rounding.py`).
 """
 
 from __future__ import annotations
@@ -20,6 +18,7 @@ from random import Random
 
 from bugbot.frames import MAT_CM, direction
 from bugbot.sim.noise import DEPTH_SD_CM
+from bugbot.sim.rounding import unit
 from bugbot.sim.world import Box
 
 __all__ = [
@@ -50,7 +49,7 @@ def exact_direction(heading_deg: float) -> tuple[float, float]:
     (1.0, 0.0)
     """
     x, y = direction(heading_deg)
-    return round(x, 12), round(y, 12)
+    return unit(x), unit(y)
 
 
 def _beam(angle: float) -> Beam:
@@ -112,4 +111,5 @@ def read(true_cm: float, chance: Random) -> float:
     """What the sensor says of a true distance [cm]: noisy, 0 to 200, in whole millimetres."""
     if true_cm > RANGE_CM:
         return RANGE_CM
-    return round(min(RANGE_CM, max(0.0, true_cm + chance.normalvariate(0.0, DEPTH_SD_CM))), 1)
+    noisy = true_cm + chance.normalvariate(0.0, DEPTH_SD_CM)
+    return round(min(RANGE_CM, max(0.0, noisy)) * 10.0) / 10.0

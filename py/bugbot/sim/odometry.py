@@ -18,6 +18,7 @@ from bugbot.sim.noise import (
     SLIP_STEP_SD,
     generator,
 )
+from bugbot.sim.rounding import stored
 
 __all__ = ["Odometry"]
 
@@ -42,6 +43,6 @@ class Odometry:
         if ahead or aside:
             sin_h, cos_h = exact_direction(self.heading + turned / 2)
             share = self._scale + self._feet.normalvariate(0.0, SLIP_STEP_SD)
-            self.x = round(self.x + share * (ahead * sin_h + aside * cos_h), 9)
-            self.y = round(self.y + share * (ahead * cos_h - aside * sin_h), 9)
-        self.heading = wrap_heading(round(self.heading + turned, 9))
+            self.x = stored(self.x + share * (ahead * sin_h + aside * cos_h))
+            self.y = stored(self.y + share * (ahead * cos_h - aside * sin_h))
+        self.heading = wrap_heading(stored(self.heading + turned))

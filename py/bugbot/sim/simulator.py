@@ -4,8 +4,7 @@ May import: the standard library, `bugbot.frames`, `bugbot.trace`, `bugbot.world
 `bugbot.sim`.
 
 Time moves only in `advance`, in steps of 0.02 s (the last one shorter). The state
-is rounded to 9 decimals as it is stored, so that engines whose sines differ in
-the last bit still agree on every run.
+is rounded as it is stored, so that all engines agree on every run (see `rounding.py`).
 """
 
 from __future__ import annotations
@@ -18,6 +17,7 @@ from bugbot.sim.depth import exact_direction
 from bugbot.sim.motion import first_touch, speeds
 from bugbot.sim.noise import generator
 from bugbot.sim.odometry import Odometry
+from bugbot.sim.rounding import stored
 from bugbot.sim.world import boxes_of
 from bugbot.trace import Trace
 from bugbot.worlds import World
@@ -44,9 +44,9 @@ class Simulator:
 
     def __init__(self, world: World, seed: int, trace: Trace) -> None:
         self.t = 0.0
-        self.x = self.start_x = round(world.start.x, 9)
-        self.y = self.start_y = round(world.start.y, 9)
-        self.heading = wrap_heading(round(world.start.heading, 9))
+        self.x = self.start_x = stored(world.start.x)
+        self.y = self.start_y = stored(world.start.y)
+        self.heading = wrap_heading(stored(world.start.heading))
         self.odometry = Odometry(self.heading, seed)
         self.ever_driven = False
         self._boxes = boxes_of(world)
@@ -76,7 +76,7 @@ class Simulator:
         Returns whether it ended early, because the robot was stopped.
         """
         begin = self.t
-        end = round(begin + seconds, 9)
+        end = stored(begin + seconds)
         if not self.driving:
             self.odometry.step(0.0, 0.0, 0.0, end - begin)
             self.t = end
@@ -88,10 +88,10 @@ class Simulator:
         before = begin
         stopped = False
         for step in range(1, steps + 1):
-            now = end if step == steps else round(begin + step * STEP_S, 9)
+            now = end if step == steps else stored(begin + step * STEP_S)
             length = now - before
             # From the start of this stretch, so that rounding does not add up: turn(90) is exact.
-            next_heading = round(begin_heading + spin * (now - begin), 9)
+            next_heading = stored(begin_heading + spin * (now - begin))
             blocked = False
             if ahead or aside:
                 sin_h, cos_h = exact_direction((heading + next_heading) / 2)
@@ -115,8 +115,8 @@ class Simulator:
         touch = first_touch(self._boxes, self.x, self.y, dx, dy)
         share = 1.0 if touch is None else touch[0]
         before = (self.x, self.y)
-        self.x = round(self.x + share * dx, 9)
-        self.y = round(self.y + share * dy, 9)
+        self.x = stored(self.x + share * dx)
+        self.y = stored(self.y + share * dy)
         if (self.x, self.y) != before:
             self._bumped = False
         if touch is None:
@@ -124,7 +124,7 @@ class Simulator:
         if not self._bumped:
             self._bumped = True
             self._record_standing()  # it ended before this moment
-            self._trace.add("bump", now, round(touch[1], 9), round(touch[2], 9))
+            self._trace.add("bump", now, stored(touch[1]), stored(touch[2]))
         return True
 
     # -- questions -----------------------------------------------------------

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from bugbot.run import Limits, run_program, watchdog
+from bugbot.run.limits import Meter
 from bugbot.trace import Trace
 
 Run = Callable[..., Any]
@@ -216,17 +217,37 @@ def test_computing_for_ever_is_ended(run_calls: Run, program: str, lines: set[in
     )
 
 
-def test_a_program_that_takes_its_time_between_waits_is_left_alone(run_calls: Run) -> None:
-    """Each tick computes for a while; together they take longer than the limit."""
-    ran = run_calls(
-        """
-        for tick in range(8):
-            sum(range(1_500_000))
-            wait(0.1)
-        """,
-        limits=Limits(silent_s=0.25),
-    )
-    assert ran.status == "finished"
+class Looks:
+    """The watchdog's event and clock: each look is 0.2 s after the one before."""
+
+    def __init__(self, count: int) -> None:
+        self.t, self._left = 0.0, count
+
+    def wait(self, _timeout: float) -> bool:
+        self.t, self._left = self.t + 0.2, self._left - 1
+        return self._left < 0
+
+    def monotonic(self) -> float:
+        return self.t
+
+
+@pytest.mark.parametrize(
+    ("simulated", "ended"),
+    [
+        (lambda real: real, False),  # time passes at every look
+        (lambda real: real // 0.5, False),  # only now and then, but soon enough
+        (lambda real: real // 1.5, True),  # too seldom
+    ],
+)
+def test_only_a_long_silence_is_ended_however_long_the_run(
+    monkeypatch: pytest.MonkeyPatch, simulated: Callable[[float], float], ended: bool
+) -> None:
+    looks = Looks(40)
+    monkeypatch.setattr(watchdog, "monotonic", looks.monotonic)
+    monkeypatch.setattr(watchdog, "interrupt_main", lambda: None)
+    meter = Meter(Limits(silent_s=0.9), Trace("", {}, 0), "program.py")
+    watchdog._watch(meter, lambda: simulated(looks.t), looks, None)  # type: ignore[arg-type]
+    assert (meter.over is not None) == ended
 
 
 def test_ctrl_c_stops_the_run(run: Run) -> None:
