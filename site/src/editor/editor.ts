@@ -10,7 +10,7 @@ import {
 } from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirror/commands";
 import { python } from "@codemirror/lang-python";
-import { bracketMatching, indentOnInput, indentUnit } from "@codemirror/language";
+import { bracketMatching, ensureSyntaxTree, indentOnInput, indentUnit } from "@codemirror/language";
 import { lintKeymap } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { EditorState, type Extension, Prec } from "@codemirror/state";
@@ -23,9 +23,13 @@ import {
   lineNumbers,
 } from "@codemirror/view";
 import { editorWords } from "../ui/strings.ts";
+import { gesture, type OnNumber } from "./gesture.ts";
 import { leaveWithEscape } from "./leaving.ts";
 import { lineMarks, lineStart, setFaultLine, setPlayingLine } from "./line-marks.ts";
+import { movingNumbers } from "./moving.ts";
+import { constantsOf, writtenLike } from "./numbers.ts";
 import { type Call, robotCalls } from "./robot-calls.ts";
+import { sliders } from "./sliders.ts";
 import { syntaxProblems } from "./syntax.ts";
 import { theme } from "./theme.ts";
 
@@ -38,7 +42,12 @@ export interface EditorOptions {
   onChange(text: string): void;
   /** Ctrl or Cmd with Enter. */
   onRun(): void;
+  /** A number is being moved by its slider, by dragging or by keys. */
+  onNumber: OnNumber;
 }
+
+/** Reading a whole program takes a few ms; this much is given to a very long one [ms]. */
+const PARSE_MS = 200;
 
 export class ProgramEditor {
   readonly #view: EditorView;
@@ -82,6 +91,18 @@ export class ProgramEditor {
       annotations: isolateHistory.of("full"),
       userEvent: "input.replace",
     });
+  }
+
+  /**
+   * Gives `NAME = number` at the program's top level another value, as one step that undo takes
+   * back. Throws a RangeError where there is no such line.
+   */
+  setConstant(name: string, value: number): void {
+    const { text } = this;
+    const tree = ensureSyntaxTree(this.#view.state, text.length, PARSE_MS);
+    const found = tree && constantsOf(tree, text).find((constant) => constant.name === name);
+    if (!found) throw new RangeError(`the program has no line "${name} = …" with a number`);
+    this.replace(text.slice(0, found.from) + writtenLike(found.text, value) + text.slice(found.to));
   }
 
   /** Marks the line being carried out at the shown time (1 first); null takes the mark away. */
@@ -141,6 +162,9 @@ function extensions(options: EditorOptions): Extension {
     robotCalls(options.calls),
     syntaxProblems,
     lineMarks,
+    gesture.of(options.onNumber),
+    sliders,
+    movingNumbers,
     theme,
     keymap.of([
       ...closeBracketsKeymap,
