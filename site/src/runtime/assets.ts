@@ -24,13 +24,12 @@ export class Assets {
     this.#module = this.#unpack(files.interpreter, "application/wasm").then((response) =>
       WebAssembly.compileStreaming(response),
     );
-    this.#snapshot = this.#unpack(files.snapshot).then(
-      (response) => response.blob(),
-      (error: unknown) => {
+    this.#snapshot = this.#unpack(files.snapshot)
+      .then((response) => response.blob())
+      .catch((error: unknown) => {
         note(error);
         return null;
-      },
-    );
+      });
     this.#sources = this.#unpack(files.sources).then(
       (response) => response.json() as Promise<Record<string, string>>,
     );
