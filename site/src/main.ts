@@ -5,8 +5,11 @@ import { api, readyPrograms, worlds } from "virtual:bugbot";
 import { showHome } from "./page/home.ts";
 import { showThemeSwitch } from "./page/theme-switch.ts";
 import { whenWanted } from "./page/when-wanted.ts";
+import { printInLight } from "./ui/theme.ts";
 
 for (const place of document.querySelectorAll<HTMLElement>(".theme-switch")) showThemeSwitch(place);
+
+printInLight();
 
 type World = (typeof worlds)[number];
 
@@ -26,7 +29,10 @@ async function startLabs(): Promise<void> {
     ]);
   const runtime = new Runtime(warmUp());
   const store = new ProgramStore();
-  defineLab({ runtime, worlds: worldsInOrder, readyPrograms, calls: api, store });
+  // Every page's header leads home, from whatever folder the site is in.
+  const home = document.querySelector<HTMLAnchorElement>(".site-header .name")?.href;
+  const labAddress = new URL("lab/", home ?? location.href).href;
+  defineLab({ runtime, worlds: worldsInOrder, readyPrograms, calls: api, store, labAddress });
   const lab = document.querySelector(".lab-page bugbot-lab");
   if (lab instanceof BugbotLab) showLabPage(lab, worldsInOrder);
   whenWanted([...document.querySelectorAll("bugbot-lab")], () => runtime.warm());

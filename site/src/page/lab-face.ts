@@ -11,6 +11,9 @@ import "../views/chart.ts";
 import "../views/console.ts";
 import "../views/overhead/overhead.ts";
 import "./lab.css";
+import "./lab-menu.ts";
+import type { MenuGroup } from "./lab-menu.ts";
+import "./lab-print.css";
 import { type PickersInput, pickers } from "./pickers.ts";
 import { playbackKey } from "./playback-keys.ts";
 import { problem } from "./problem.ts";
@@ -27,6 +30,7 @@ export interface LabFace {
   /** Null where the world and the noise are not to be chosen. */
   pickers: PickersInput | null;
   status: StatusInput;
+  menu: readonly MenuGroup[];
   onReset(): void;
   onStop(): void;
   onRun(): void;
@@ -39,7 +43,9 @@ export function labFace(face: LabFace): TemplateResult {
   return html`<section class="lab" aria-label=${label || labWords.untitled}>
     <div class="lab-bar">
       ${label ? html`<h2 class="title">${label}</h2>` : nothing}
-      ${face.pickers ? pickers(face.pickers) : nothing} ${actions(face)}
+      ${face.pickers ? pickers(face.pickers) : nothing}
+      <lab-menu .groups=${face.menu}></lab-menu>
+      ${actions(face)}
     </div>
     ${status(face.status)}
     <div class="lab-columns">

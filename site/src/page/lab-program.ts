@@ -4,7 +4,9 @@
  */
 import { ProgramEditor } from "../editor/editor.ts";
 import type { Call } from "../editor/robot-calls.ts";
-import { KeptProgram, type ProgramStore } from "./storage.ts";
+import { KeptProgram } from "./kept-program.ts";
+import type { ProgramStore } from "./storage.ts";
+import type { Version } from "./versions.ts";
 
 export interface LabProgramOptions {
   host: HTMLElement;
@@ -47,16 +49,22 @@ export class LabProgram {
     return this.#editor.text;
   }
 
-  /** One step that undo takes back. */
+  /** What the page gives to begin with. */
+  get starter(): string {
+    return this.#starter;
+  }
+
+  /** One step that undo takes back; the program before goes into the versions. */
   replace(text: string): void {
+    if (text !== this.text) this.#kept?.putAside(this.text);
     this.#editor.replace(text);
   }
 
   /**
-   * Opens the program kept under `key`, or the starter; says whether it is the learner's own.
-   * The program that was open is kept first.
+   * Opens the program kept under `key`, or the starter; says whether it is the learner's own, and
+   * whether that was begun from another starter. The program that was open is kept first.
    */
-  open(key: string, starter: string): boolean {
+  open(key: string, starter: string): "starter" | "own" | "outgrown" {
     this.#kept?.flush();
     const { store, onRefused } = this.#options;
     this.#kept = new KeptProgram(store, key, starter, onRefused);
@@ -65,7 +73,8 @@ export class LabProgram {
     this.#editor.open(own ?? starter);
     this.#asRun = false;
     this.#playingLine = null;
-    return own !== null;
+    if (own === null) return "starter";
+    return this.#kept.outgrown ? "outgrown" : "own";
   }
 
   /** Back to the starter, as one step that undo takes back; says what it was before. */
@@ -75,10 +84,31 @@ export class LabProgram {
     return before;
   }
 
-  /** A run of this text begins: marks of the last one go, and its lines may be followed. */
-  beginRun(): void {
+  /** Keeps the text as it is now as a version to go back to. */
+  putAside(): void {
+    this.#kept?.putAside(this.text);
+  }
+
+  /** A run of a program is on show: its lines are followed if it is the one in the editor. */
+  shows(program: string): void {
     this.#editor.showFault(null);
-    this.#asRun = true;
+    this.#asRun = program === this.text;
+  }
+
+  /** Earlier versions, newest first. */
+  versions(): Version[] {
+    return this.#kept?.versions() ?? [];
+  }
+
+  /** From now on the program counts as begun from the page's present starter. */
+  beginsHere(): void {
+    this.#kept?.beginsHere();
+  }
+
+  /** The program as another tab has kept it under this name; null if it is no other than here. */
+  elsewhere(name: string): string | null {
+    const theirs = this.#kept?.isNamed(name) ? this.#kept.load() : null;
+    return theirs === this.text ? null : theirs;
   }
 
   /** Marks the line of the shown moment, as long as the text is the one that ran. */

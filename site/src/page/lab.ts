@@ -14,13 +14,18 @@ import type { Outcome, World } from "../trace/events.ts";
 import { writeTraceFile } from "../trace/file.ts";
 import { outcomeOf } from "../trace/outcome.ts";
 import type { Trace } from "../trace/trace.ts";
+import { printWords, starterWords, tabWords } from "../ui/file-words.ts";
 import { labWords, pickerWords, starterProgram, statusWords } from "../ui/strings.ts";
+import type { ChartView } from "../views/chart.ts";
+import type { OverheadView } from "../views/overhead/overhead.ts";
 import { FIRST_SEED } from "./address.ts";
 import { applyCodeSize, changeCodeSize } from "./code-size.ts";
 import { emptyTrace } from "./empty-trace.ts";
 import { labFace } from "./lab-face.ts";
+import { type LabDesk, LabFiles } from "./lab-files.ts";
 import { LabProgram } from "./lab-program.ts";
 import type { PickersInput } from "./pickers.ts";
+import { fitForPaper, type Sheet } from "./print.ts";
 import { Runner } from "./runner.ts";
 import type { Services } from "./services.ts";
 import type { Note, StatusInput } from "./status.ts";
@@ -43,6 +48,7 @@ export class BugbotLab extends LitElement {
   readonly #runner: Runner;
   readonly #player: Player;
   #program: LabProgram | null = null;
+  #files: LabFiles | null = null;
   /** The run before the one on show, to compare it with. */
   #earlier: Trace | null = null;
   /** Set before there is an editor to hold it. */
@@ -51,6 +57,8 @@ export class BugbotLab extends LitElement {
   readonly #redraw = (): void => this.requestUpdate();
   readonly #onRuntime = (): void => this.#runner.runtimeChanged();
   readonly #onLeave = (): void => this.#program?.flush();
+  #stopElsewhere: (() => void) | null = null;
+  #stopPaper: (() => void) | null = null;
 
   constructor(services: Services) {
     super();
@@ -92,9 +100,10 @@ export class BugbotLab extends LitElement {
   async run(): Promise<Outcome> {
     await this.updateComplete;
     this.#note = null;
-    this.#program?.beginRun();
-    this.#earlier = this.#runner.trace;
     const { program, seed } = this;
+    this.#program?.putAside();
+    this.#program?.shows(program);
+    this.#earlier = this.#runner.trace;
     return outcomeOf(await this.#runner.run({ program, world: this.#world, seed }));
   }
 
@@ -119,6 +128,12 @@ export class BugbotLab extends LitElement {
     this.#player.seek(seconds);
   }
 
+  /** Shows a program that came in a link; it replaces the one here only if the reader says so. */
+  async offerShared(program: string): Promise<void> {
+    await this.updateComplete;
+    await this.#files?.offerShared(program);
+  }
+
   // -- the element's life --------------------------------------------------------
 
   override connectedCallback(): void {
@@ -126,20 +141,23 @@ export class BugbotLab extends LitElement {
     applyCodeSize(this);
     this.#services.runtime.addEventListener("change", this.#onRuntime);
     addEventListener("pagehide", this.#onLeave);
+    this.#stopPaper = fitForPaper(this, () => this.#sheet());
+    this.#stopElsewhere = this.#services.store.onElsewhere((name) => this.#elsewhere(name));
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#services.runtime.removeEventListener("change", this.#onRuntime);
     removeEventListener("pagehide", this.#onLeave);
+    this.#stopElsewhere?.();
+    this.#stopPaper?.();
     this.#program?.flush();
     this.#runner.stop();
   }
 
   override firstUpdated(): void {
     const { calls, store } = this.#services;
-    const host = this.querySelector<HTMLElement>(".lab-editor");
-    if (!host) throw new Error("<bugbot-lab> was drawn without a place for its editor");
+    const host = this.#part(".lab-editor");
     this.#program = new LabProgram({
       host,
       describedBy: this.#hintId,
@@ -147,8 +165,11 @@ export class BugbotLab extends LitElement {
       store,
       onEdit: () => this.#say(null),
       onRun: () => void this.run(),
-      onRefused: () => this.#say({ text: statusWords.notKept }),
+      // What can be undone at the moment matters more.
+      onRefused: () => this.#note?.action ?? this.#say({ text: statusWords.notKept }),
     });
+    this.#files = new LabFiles(this.#desk(this.#program));
+    this.#files.acceptDrops(host);
     this.#open();
     if (this.#programToBe !== null) this.#program.replace(this.#programToBe);
   }
@@ -187,7 +208,12 @@ export class BugbotLab extends LitElement {
     const own = this.#program?.open(`${page}#${this.id}:${this.world}`, this.#starter);
     this.#player.show(emptyTrace(this.#world));
     this.#earlier = null;
-    this.#say(own ? { text: statusWords.restored } : null);
+    if (own === "outgrown") {
+      const act = (): void => void this.#files?.offerStarter();
+      this.#say({ text: starterWords.changed, action: { label: starterWords.see, act } });
+    } else {
+      this.#say(own === "own" ? { text: statusWords.restored } : null);
+    }
   }
 
   /** After a change of world: the program that was here may come along. */
@@ -208,6 +234,17 @@ export class BugbotLab extends LitElement {
     this.#say({ text: statusWords.reset, ...(changed ? { action: undo } : {}) });
   }
 
+  /** Another tab has kept something: if it is this program, the reader may have it here. */
+  #elsewhere(name: string): void {
+    const theirs = this.#program?.elsewhere(name) ?? null;
+    if (theirs === null) return;
+    const act = (): void => {
+      this.#program?.replace(theirs);
+      this.#say({ text: tabWords.shown });
+    };
+    this.#say({ text: tabWords.changed, action: { label: tabWords.show, act } });
+  }
+
   #choose(place: { world?: string; seed?: number }): void {
     if (place.world !== undefined) this.world = place.world;
     if (place.seed !== undefined) this.seed = place.seed;
@@ -225,6 +262,17 @@ export class BugbotLab extends LitElement {
   #show(trace: Trace): void {
     this.#player.show(trace);
     this.querySelector<LabTransport>("lab-transport")?.begin();
+  }
+
+  /** Shows a run made before; its world and seed are chosen, if the site has that world. */
+  async #showSaved(trace: Trace): Promise<void> {
+    const { world, seed, program } = trace.header;
+    const known = this.#services.worlds.some(({ name }) => name === world.name);
+    if (known) this.#choose({ world: world.name, seed });
+    await this.updateComplete;
+    this.#earlier = null;
+    this.#program?.shows(program);
+    this.#runner.open(trace);
   }
 
   #ended(trace: Trace): void {
@@ -256,6 +304,7 @@ export class BugbotLab extends LitElement {
       earlier: this.#earlier,
       pickers: this.pickers ? this.#pickers() : null,
       status: this.#status(),
+      menu: this.#files?.menu ?? [],
       onReset: () => this.#reset(),
       onStop: () => this.#stopAndReturn(),
       onRun: () => void this.run(),
@@ -277,6 +326,44 @@ export class BugbotLab extends LitElement {
       onRetry: () => this.#services.runtime.warm(),
       onLine: (line) => this.#program?.goToLine(line),
     };
+  }
+
+  #sheet(): Sheet {
+    const run = this.#runner.trace?.header;
+    const world = run?.world ?? this.#world;
+    const heading = printWords.heading(this.label, world.title, run?.seed ?? this.seed);
+    return { heading, program: this.program };
+  }
+
+  #desk(program: LabProgram): LabDesk {
+    const lab = this;
+    return {
+      program,
+      labAddress: lab.#services.labAddress,
+      get place() {
+        return { world: lab.world, seed: lab.seed };
+      },
+      get worldTitle() {
+        return lab.#world.title;
+      },
+      get run() {
+        return lab.#runner.trace;
+      },
+      get overhead() {
+        return lab.#part<OverheadView>("overhead-view");
+      },
+      get chart() {
+        return lab.#part<ChartView>("chart-view");
+      },
+      show: (run) => lab.#showSaved(run),
+      say: (note) => lab.#say(note),
+    };
+  }
+
+  #part<Part extends HTMLElement>(selector: string): Part {
+    const part = this.querySelector<Part>(selector);
+    if (!part) throw new Error(`<bugbot-lab> was drawn without a ${selector}`);
+    return part;
   }
 
   #pickers(): PickersInput {

@@ -73,6 +73,15 @@ export class Runner extends EventTarget {
     return trace;
   }
 
+  /** Shows a run made before, in place of the last one. */
+  open(trace: Trace): void {
+    this.clear();
+    this.#phase = "ended";
+    this.#show(trace);
+    this.#listeners.onEnd(trace);
+    this.#changed();
+  }
+
   stop(): void {
     this.#running?.stop();
   }

@@ -14,4 +14,6 @@ export interface Services {
   readyPrograms: readonly { world: string; title: string; source: string }[];
   calls: readonly Call[];
   store: ProgramStore;
+  /** Address of the lab's own page, for links. */
+  labAddress: string;
 }

@@ -19,6 +19,12 @@ export function setTheme(theme: Theme): void {
   applyTheme(theme);
 }
 
+/** Ink on paper is the light theme, whatever the screen has. */
+export function printInLight(): void {
+  addEventListener("beforeprint", () => applyTheme("light"));
+  addEventListener("afterprint", () => applyTheme(currentTheme()));
+}
+
 function applyTheme(theme: Theme): void {
   const root = document.documentElement;
   if (theme === "system") root.removeAttribute("data-theme");

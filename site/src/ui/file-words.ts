@@ -1,0 +1,115 @@
+/**
+ * The words for files, links, earlier versions and print; `strings.ts` has the rest and the voice.
+ * Imports `dom` for the forms of numbers.
+ */
+import { megabytes } from "./dom.ts";
+
+const size = (bytes: number): string =>
+  bytes < 100_000 ? `${Math.max(0.1, bytes / 1000).toFixed(1)} kB` : `${megabytes(bytes)} MB`;
+
+const lines = (text: string): string => {
+  const count = text.split("\n").length - (text.endsWith("\n") ? 1 : 0);
+  return count === 1 ? "1 line" : `${count} lines`;
+};
+
+export const menuWords = {
+  more: "More",
+  program: "Program",
+  versions: "Earlier versions…",
+  open: "Open a .py file…",
+  save: "Save as a .py file",
+  share: "Share as a link…",
+  run: "This run",
+  saveRun: "Save the run as a file",
+  openRun: "Open a saved run…",
+  chart: "Save the chart as CSV",
+  picture: "Save the picture as PNG",
+  print: "Print…",
+};
+
+export const dialogWords = {
+  close: "Close",
+  preview: "Preview",
+};
+
+export const fileWords = {
+  opened: (name: string) => `This is ${name}.`,
+  same: (name: string) => `${name} holds the program that is here already.`,
+  unreadable: (name: string) => `${name} could not be read. Is it a folder, or has it been moved?`,
+  tooLarge: (name: string, bytes: number) =>
+    `${name} takes ${size(bytes)}. A program may take 1 MB at most.`,
+  notText: (name: string) => `${name} does not hold text, so it is no Python program.`,
+  runTooLarge: (name: string, bytes: number) =>
+    `${name} takes ${size(bytes)}. A saved run may take 160 MB at most.`,
+  notRun: (name: string, why: string) => `${name} is not a saved run, or it is damaged: ${why}.`,
+  noText: "it does not hold text",
+  noEnd: "the run in it has no end",
+  run: (world: string, seed: number) => `This is a saved run: ${world}, seed ${seed}.`,
+  takeProgram: "Open its program",
+};
+
+export const versionWords = {
+  title: "Earlier versions",
+  lead: "Kept on this device at each run, and before the program was replaced.",
+  none: "There are none yet. A version is kept each time you press Run, and before the program is replaced.",
+  list: "Versions, newest first",
+  restore: "Bring this one back",
+  restored: "The earlier version is back.",
+  size: lines,
+  /** What is different from the program in the editor. */
+  change: (line: number, text: string) => `line ${line}: ${text.trim() || "(empty)"}`,
+  removed: (line: number) => `lines removed at line ${line}`,
+  day: (at: Date, now: Date): string => {
+    const midnight = (date: Date) => new Date(date).setHours(0, 0, 0, 0);
+    const days = Math.round((midnight(now) - midnight(at)) / 86_400_000);
+    if (days === 0) return "Today";
+    if (days === 1) return "Yesterday";
+    return at.toLocaleDateString("en-GB", { day: "numeric", month: "long", year: "numeric" });
+  },
+  time: (at: Date) => at.toLocaleTimeString("en-GB", { hour: "2-digit", minute: "2-digit" }),
+};
+
+export const starterWords = {
+  changed: "This page’s program has changed since you started yours.",
+  see: "See the new one",
+  title: "The new program of this page",
+  lead: "Yours is still here, as you left it. If you take the new one, yours goes into the earlier versions.",
+  take: "Take the new one",
+  keep: "Keep mine",
+  taken: "This is the new program of this page.",
+};
+
+export const tabWords = {
+  changed: "This program has been changed in another tab.",
+  show: "Show that one",
+  shown: "This is the program from the other tab.",
+};
+
+export const shareWords = {
+  title: "Share this program",
+  lead: "The link holds the program, the world and the seed. Nothing is stored anywhere else, and whoever opens it is asked first.",
+  link: "Link",
+  copy: "Copy link",
+  copied: "The link is copied.",
+  notCopied:
+    "This browser did not let the page copy. The link is selected: copy it from the field.",
+  long: (length: number) =>
+    `The link has ${length.toLocaleString("en-GB")} characters. Some mail and chat programs cut links this long: a file is safer.`,
+  save: menuWords.save,
+  broken:
+    "The program in this link cannot be read: the link is damaged or cut short. Ask for it again, or for the program as a file.",
+  tooLarge:
+    "The program in this link takes more than 1 MB, so it is not opened. Ask for it as a file.",
+  offered: "Somebody shared a program",
+  offer: (program: string, world: string, seed: number) =>
+    `${lines(program)} (${size(new Blob([program]).size)}) for ${world}, seed ${seed}. Read it before you open it; it runs only when you press Run. Your own program here goes into the earlier versions.`,
+  take: "Open this program",
+  keep: "Keep mine",
+  taken: "This is the shared program. Press Run to try it.",
+  same: "The link holds the program that is here already.",
+};
+
+export const printWords = {
+  heading: (lab: string, world: string, seed: number) =>
+    `${lab ? `${lab}: ` : ""}${world}, seed ${seed}`,
+};
