@@ -9,7 +9,8 @@ test("the address chooses world and seed, and follows the choice", async ({ app,
   await app.seed.fill("12");
   await app.seed.press("Enter");
   await expect(page).toHaveURL(/\?world=doorway&seed=12$/);
-  await page.getByRole("button", { name: "New noise" }).click();
+  await page.getByRole("combobox", { name: "Noise" }).selectOption("New noise");
+  await app.run.click();
   await expect(app.seed).not.toHaveValue("12");
 });
 

@@ -30,6 +30,9 @@ export interface LabFace {
   /** Null where the world and the noise are not to be chosen. */
   pickers: PickersInput | null;
   status: StatusInput;
+  /** Runs of one program with many seeds, and what to say of them. */
+  runs: readonly Trace[];
+  report: string;
   menu: readonly MenuGroup[];
   onReset(): void;
   onStop(): void;
@@ -39,7 +42,7 @@ export interface LabFace {
 }
 
 export function labFace(face: LabFace): TemplateResult {
-  const { label, player, earlier } = face;
+  const { label, player, earlier, runs } = face;
   return html`<section class="lab" aria-label=${label || labWords.untitled}>
     <div class="lab-bar">
       ${label ? html`<h2 class="title">${label}</h2>` : nothing}
@@ -53,13 +56,13 @@ export function labFace(face: LabFace): TemplateResult {
         <div class="lab-editor"></div>
         ${tools(face)} ${problem(face.status.fault)}
       </div>
-      <console-view .player=${player}></console-view>
+      <console-view .player=${player} .note=${face.report}></console-view>
       <overhead-view
         .player=${player}
         .earlier=${earlier}
         @keydown=${(event: KeyboardEvent) => playbackKey(event, player)}
       ></overhead-view>
-      <chart-view .player=${player} .earlier=${earlier}></chart-view>
+      <chart-view .player=${player} .earlier=${earlier} .runs=${runs}></chart-view>
     </div>
     <lab-transport .player=${player}></lab-transport>
   </section>`;

@@ -3,6 +3,7 @@
  * May import `editor` and `ui`.
  */
 import { ProgramEditor } from "../editor/editor.ts";
+import type { OnNumber } from "../editor/gesture.ts";
 import type { Call } from "../editor/robot-calls.ts";
 import { KeptProgram } from "./kept-program.ts";
 import type { ProgramStore } from "./storage.ts";
@@ -16,6 +17,8 @@ export interface LabProgramOptions {
   store: ProgramStore;
   onEdit(): void;
   onRun(): void;
+  /** A number is being moved: the run may follow it. */
+  onNumber: OnNumber;
   /** The device will not keep what is typed. */
   onRefused(): void;
 }
@@ -42,6 +45,7 @@ export class LabProgram {
         options.onEdit();
       },
       onRun: options.onRun,
+      onNumber: options.onNumber,
     });
   }
 
@@ -58,6 +62,11 @@ export class LabProgram {
   replace(text: string): void {
     if (text !== this.text) this.#kept?.putAside(this.text);
     this.#editor.replace(text);
+  }
+
+  /** Another value for `NAME = number` at the top level, as one step; throws a RangeError if none. */
+  setConstant(name: string, value: number): void {
+    this.#editor.setConstant(name, value);
   }
 
   /**

@@ -15,6 +15,7 @@ import { writeTraceFile } from "../trace/file.ts";
 import { outcomeOf } from "../trace/outcome.ts";
 import type { Trace } from "../trace/trace.ts";
 import { printWords, starterWords, tabWords } from "../ui/file-words.ts";
+import { repeatWords } from "../ui/noise-words.ts";
 import { labWords, pickerWords, starterProgram, statusWords } from "../ui/strings.ts";
 import type { ChartView } from "../views/chart.ts";
 import type { OverheadView } from "../views/overhead/overhead.ts";
@@ -24,8 +25,10 @@ import { emptyTrace } from "./empty-trace.ts";
 import { labFace } from "./lab-face.ts";
 import { type LabDesk, LabFiles } from "./lab-files.ts";
 import { LabProgram } from "./lab-program.ts";
-import type { PickersInput } from "./pickers.ts";
+import { newSeed, type PickersInput } from "./pickers.ts";
 import { fitForPaper, type Sheet } from "./print.ts";
+import { Redoing } from "./redoing.ts";
+import { Repeat } from "./repeat.ts";
 import { Runner } from "./runner.ts";
 import type { Services } from "./services.ts";
 import type { Note, StatusInput } from "./status.ts";
@@ -47,6 +50,10 @@ export class BugbotLab extends LitElement {
   readonly #services: Services;
   readonly #runner: Runner;
   readonly #player: Player;
+  readonly #redoing: Redoing;
+  readonly #repeat: Repeat;
+  /** Every run has a new seed. */
+  #freshNoise = false;
   #program: LabProgram | null = null;
   #files: LabFiles | null = null;
   /** The run before the one on show, to compare it with. */
@@ -68,13 +75,29 @@ export class BugbotLab extends LitElement {
     this.label = "";
     this.pickers = false;
     this.#runner = new Runner(services.runtime, {
-      onTrace: (trace) => this.#show(trace),
+      onTrace: (trace, end) => this.#show(trace, end),
       onGrown: () => this.#player.grown(),
       onEnd: (trace) => this.#ended(trace),
     });
     this.#player = new Player(emptyTrace(this.#world), (callback) =>
       requestAnimationFrame(callback),
     );
+    this.#redoing = new Redoing({
+      begin: () => this.#leaveRun(),
+      ready: () => this.ready(),
+      run: () => this.#run("end"),
+      expect: (spares) => services.runtime.expect(spares),
+    });
+    this.#repeat = new Repeat(services.runtime, {
+      onFirst: (trace) => this.#showOne(trace),
+      onFailed: (trace) => {
+        const { seed } = trace.header;
+        this.#choose({ seed });
+        this.#showOne(trace);
+        this.#say({ text: repeatWords.stopped(seed) });
+      },
+    });
+    this.#repeat.addEventListener("change", this.#redraw);
     this.#runner.addEventListener("change", this.#redraw);
     this.#player.addEventListener("change", () => this.#follow());
   }
@@ -100,15 +123,33 @@ export class BugbotLab extends LitElement {
   async run(): Promise<Outcome> {
     await this.updateComplete;
     this.#note = null;
-    const { program, seed } = this;
+    if (this.#freshNoise) this.#choose({ seed: newSeed() });
+    this.#leaveRun();
     this.#program?.putAside();
-    this.#program?.shows(program);
+    return outcomeOf(await this.#run("all"));
+  }
+
+  /** Another run comes: the one on show is what it is compared with. */
+  #leaveRun(): void {
+    this.#repeat.clear();
     this.#earlier = this.#runner.trace;
-    return outcomeOf(await this.#runner.run({ program, world: this.#world, seed }));
+  }
+
+  /** Runs the program as it is now, to be shown as it comes or only its end. */
+  #run(shown: "all" | "end"): Promise<Trace> {
+    this.#program?.shows(this.program);
+    const { program, seed } = this;
+    return this.#runner.run({ program, world: this.#world, seed }, shown === "end");
+  }
+
+  /** Another value for `NAME = number` in the program, one step for undo; a RangeError if none. */
+  setConstant(name: string, value: number): void {
+    this.#program?.setConstant(name, value);
   }
 
   /** Ends the run now; what it has shown is kept. */
   stop(): void {
+    this.#repeat.cancel();
     this.#runner.stop();
   }
 
@@ -152,7 +193,7 @@ export class BugbotLab extends LitElement {
     this.#stopElsewhere?.();
     this.#stopPaper?.();
     this.#program?.flush();
-    this.#runner.stop();
+    this.stop();
   }
 
   override firstUpdated(): void {
@@ -165,6 +206,7 @@ export class BugbotLab extends LitElement {
       store,
       onEdit: () => this.#say(null),
       onRun: () => void this.run(),
+      onNumber: (event) => this.#redoing.on(event),
       // What can be undone at the moment matters more.
       onRefused: () => this.#note?.action ?? this.#say({ text: statusWords.notKept }),
     });
@@ -208,6 +250,7 @@ export class BugbotLab extends LitElement {
     const own = this.#program?.open(`${page}#${this.id}:${this.world}`, this.#starter);
     this.#player.show(emptyTrace(this.#world));
     this.#earlier = null;
+    this.#repeat.clear();
     if (own === "outgrown") {
       const act = (): void => void this.#files?.offerStarter();
       this.#say({ text: starterWords.changed, action: { label: starterWords.see, act } });
@@ -259,9 +302,10 @@ export class BugbotLab extends LitElement {
 
   // -- runs ------------------------------------------------------------------------
 
-  #show(trace: Trace): void {
+  #show(trace: Trace, end: boolean): void {
     this.#player.show(trace);
-    this.querySelector<LabTransport>("lab-transport")?.begin();
+    if (end) this.#player.toEnd();
+    else this.querySelector<LabTransport>("lab-transport")?.begin();
   }
 
   /** Shows a run made before; its world and seed are chosen, if the site has that world. */
@@ -270,9 +314,27 @@ export class BugbotLab extends LitElement {
     const known = this.#services.worlds.some(({ name }) => name === world.name);
     if (known) this.#choose({ world: world.name, seed });
     await this.updateComplete;
+    this.#repeat.clear();
     this.#earlier = null;
     this.#program?.shows(program);
     this.#runner.open(trace);
+  }
+
+  /** Runs the program with many seeds. */
+  #repeatRun(): void {
+    this.#runner.stop();
+    this.#say(null);
+    this.#program?.putAside();
+    const { program, seed } = this;
+    this.#program?.shows(program);
+    void this.#repeat.start({ program, world: this.#world, seed });
+  }
+
+  /** The end of one run of the series, with nothing to compare it with but the others. */
+  #showOne(trace: Trace): void {
+    this.#earlier = null;
+    this.#runner.open(trace);
+    this.#player.toEnd();
   }
 
   #ended(trace: Trace): void {
@@ -294,6 +356,11 @@ export class BugbotLab extends LitElement {
     this.querySelector<HTMLElement>(".lab-bar .go")?.focus();
   }
 
+  #cancelRepeat(): void {
+    this.#repeat.cancel();
+    this.querySelector<HTMLElement>(".lab-pickers .repeat")?.focus();
+  }
+
   // -- what is drawn -----------------------------------------------------------------
 
   override render(): TemplateResult {
@@ -304,6 +371,8 @@ export class BugbotLab extends LitElement {
       earlier: this.#earlier,
       pickers: this.pickers ? this.#pickers() : null,
       status: this.#status(),
+      runs: this.#repeat.runs,
+      report: this.#repeat.report,
       menu: this.#files?.menu ?? [],
       onReset: () => this.#reset(),
       onStop: () => this.#stopAndReturn(),
@@ -323,6 +392,8 @@ export class BugbotLab extends LitElement {
       fault: ended?.fault ?? null,
       note: this.#note,
       runNote: note,
+      series: this.#repeat.progress,
+      onCancel: () => this.#cancelRepeat(),
       onRetry: () => this.#services.runtime.warm(),
       onLine: (line) => this.#program?.goToLine(line),
     };
@@ -372,7 +443,17 @@ export class BugbotLab extends LitElement {
       world: this.world,
       seed: this.seed,
       onWorld: (world) => this.#choose({ world }),
-      onSeed: (seed) => this.#choose({ seed }),
+      freshNoise: this.#freshNoise,
+      onSeed: (seed) => {
+        // Who names a seed wants it again.
+        this.#freshNoise = false;
+        this.#choose({ seed });
+      },
+      onFreshNoise: (fresh) => {
+        this.#freshNoise = fresh;
+        this.requestUpdate();
+      },
+      onRepeat: () => this.#repeatRun(),
       onBadSeed: (text) => this.#say({ text }),
     };
   }

@@ -1,20 +1,29 @@
 /**
- * Which world, and which noise. May import `trace` and `ui`.
+ * Which world, which noise, and how often. May import `trace` and `ui`.
  */
 import { html, type TemplateResult } from "lit";
 import type { World } from "../trace/events.ts";
-import { icons } from "../ui/icons.ts";
+import { noiseWords, repeatWords } from "../ui/noise-words.ts";
 import { pickerWords } from "../ui/strings.ts";
 import { MOST_SEED, readSeed } from "./address.ts";
+import { TIMES } from "./repeat.ts";
 
 export interface PickersInput {
   worlds: readonly World[];
   world: string;
   seed: number;
+  /** Each run has a new seed, and not the one before's. */
+  freshNoise: boolean;
   onWorld(name: string): void;
   onSeed(seed: number): void;
   /** Called with a plain message where what was typed is no seed. */
   onBadSeed(message: string): void;
+  onFreshNoise(fresh: boolean): void;
+  onRepeat(): void;
+}
+
+export function newSeed(): number {
+  return 1 + Math.floor(Math.random() * MOST_SEED);
 }
 
 export function pickers(input: PickersInput): TemplateResult {
@@ -33,7 +42,6 @@ export function pickers(input: PickersInput): TemplateResult {
       input.onSeed(read);
     }
   };
-  const newNoise = (): void => input.onSeed(1 + Math.floor(Math.random() * MOST_SEED));
   return html`<div class="lab-pickers">
     <label>
       <span>${pickerWords.world}</span>
@@ -44,7 +52,16 @@ export function pickers(input: PickersInput): TemplateResult {
         )}
       </select>
     </label>
-    <label title=${pickerWords.seedHelp}>
+    ${noise(input, onSeed)}
+  </div>`;
+}
+
+function noise(input: PickersInput, onSeed: (event: Event) => void): TemplateResult {
+  const { seed, freshNoise } = input;
+  const onNoise = (event: Event): void => {
+    if (event.target instanceof HTMLSelectElement) input.onFreshNoise(event.target.value === "new");
+  };
+  return html`<label title=${noiseWords.help}>
       <span>${pickerWords.seed}</span>
       <input
         type="text"
@@ -56,8 +73,11 @@ export function pickers(input: PickersInput): TemplateResult {
         @change=${onSeed}
       />
     </label>
-    <button type="button" title=${pickerWords.newNoise} @click=${newNoise}>
-      ${icons.dice}<span>${pickerWords.newNoise}</span>
-    </button>
-  </div>`;
+    <select aria-label=${noiseWords.name} title=${noiseWords.help} @change=${onNoise}>
+      <option value="same" ?selected=${!freshNoise}>${noiseWords.same}</option>
+      <option value="new" ?selected=${freshNoise}>${noiseWords.fresh}</option>
+    </select>
+    <button type="button" class="repeat" title=${repeatWords.help(TIMES)} @click=${input.onRepeat}>
+      ${repeatWords.start(TIMES)}<span>&nbsp;${repeatWords.times}</span>
+    </button>`;
 }

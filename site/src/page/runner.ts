@@ -7,13 +7,16 @@ import type { Trace } from "../trace/trace.ts";
 import type { Phase } from "./status.ts";
 
 export interface RunnerListeners {
-  /** A run has begun, or is another one than before: this is its trace. */
-  onTrace(trace: Trace): void;
+  /** A run has begun, or is another one than before: this is its trace; `end`: show its end. */
+  onTrace(trace: Trace, end: boolean): void;
   /** The trace on show has grown. */
   onGrown(): void;
   /** The run has ended, however it did. */
   onEnd(trace: Trace): void;
 }
+
+/** A run that shows only its end is not spoken of unless it takes longer than this [ms]. */
+const QUIET_MS = 300;
 
 export class Runner extends EventTarget {
   readonly #runtime: Runtime;
@@ -43,12 +46,15 @@ export class Runner extends EventTarget {
     return this.#note;
   }
 
-  /** Runs a program to its end. One that is still running is stopped first. */
-  async run(request: RunRequest): Promise<Trace> {
+  /**
+   * Runs a program to its end. One that is still running is stopped first. With `atEnd` the run
+   * before stays on show until this one has ended.
+   */
+  async run(request: RunRequest, atEnd = false): Promise<Trace> {
     this.stop();
     const mine = this.#runtime.run(request, {
       onChunk: (trace) => {
-        if (this.#running === mine) this.#grown(trace);
+        if (this.#running === mine && !atEnd) this.#grown(trace);
       },
       onNote: (text) => {
         if (this.#running !== mine) return;
@@ -58,15 +64,20 @@ export class Runner extends EventTarget {
     });
     this.#running = mine;
     this.#note = null;
-    this.#phase = this.#runtime.state === "ready" ? "running" : "waiting";
-    this.#show(mine.trace);
-    this.#changed();
+    const begin = (): void => {
+      if (this.#running !== mine) return;
+      this.#phase = this.#runtime.state === "ready" ? "running" : "waiting";
+      this.#changed();
+    };
+    if (!atEnd) this.#show(mine.trace);
+    if (atEnd && this.#trace && this.#runtime.state === "ready") setTimeout(begin, QUIET_MS);
+    else begin();
     const trace = await mine.done;
     if (this.#running === mine) {
       this.#running = null;
       this.#phase = "ended";
       this.#note = null;
-      if (this.#trace !== trace) this.#show(trace);
+      if (this.#trace !== trace) this.#show(trace, atEnd);
       this.#listeners.onEnd(trace);
       this.#changed();
     }
@@ -109,9 +120,9 @@ export class Runner extends EventTarget {
     this.#changed();
   }
 
-  #show(trace: Trace): void {
+  #show(trace: Trace, end = false): void {
     this.#trace = trace;
-    this.#listeners.onTrace(trace);
+    this.#listeners.onTrace(trace, end);
   }
 
   #changed(): void {

@@ -7,6 +7,7 @@
  */
 import { html, nothing, type TemplateResult } from "lit";
 import type { End, Fault } from "../trace/events.ts";
+import { repeatWords } from "../ui/noise-words.ts";
 import { labWords, statusWords } from "../ui/strings.ts";
 import "./status.css";
 
@@ -28,7 +29,11 @@ export interface StatusInput {
   note: Note | null;
   /** What the runtime says of a run that is held up ("Loading NumPy… 40 %"). */
   runNote: string | null;
+  /** How far a series of runs is, or null. */
+  series: { done: number; of: number } | null;
   onRetry(): void;
+  /** Ends the series. */
+  onCancel(): void;
   /** The learner wants to see the line that failed. */
   onLine(line: number): void;
 }
@@ -47,8 +52,6 @@ type Tone = "quiet" | "busy" | "good" | "bad";
 
 export function status(input: StatusInput): TemplateResult {
   const { tone, text } = say(input);
-  const { progress } = input.runtime;
-  const starting = input.runtime.state === "loading";
   return html`<div class="lab-status" data-tone=${tone}>
     <p role="status" aria-label=${statusWords.label}>
       <span class="dot" aria-hidden="true"></span><span>${text}</span>
@@ -58,20 +61,25 @@ export function status(input: StatusInput): TemplateResult {
       ({ label, act }) => html`<button type="button" @click=${act}>${label}</button>`,
     )}
     <span class="count">${count(input)}</span>
-    ${
-      starting
-        ? html`<progress
-            aria-label=${statusWords.starting}
-            max=${progress.total || 1}
-            .value=${progress.loaded}
-          ></progress>`
-        : nothing
-    }
+    ${bar(input)}
   </div>`;
 }
 
-function actions({ runtime, fault, note, onRetry, onLine }: StatusInput): Action[] {
+function bar({ runtime, series }: StatusInput): TemplateResult | typeof nothing {
+  const { loaded, total } = runtime.progress;
+  const shown =
+    runtime.state === "loading"
+      ? { label: statusWords.starting, value: loaded, max: total || 1 }
+      : series && { label: repeatWords.goingOn, value: series.done, max: series.of };
+  if (!shown) return nothing;
+  const { label, value, max } = shown;
+  return html`<progress aria-label=${label} max=${max} .value=${value}></progress>`;
+}
+
+function actions(input: StatusInput): Action[] {
+  const { runtime, fault, note, series, onRetry, onLine, onCancel } = input;
   const list: Action[] = [];
+  if (series) list.push({ label: repeatWords.cancel, act: onCancel });
   const line = fault?.line;
   if (line) list.push({ label: statusWords.goTo(line), act: () => onLine(line) });
   if (note?.action) list.push(note.action);
@@ -79,10 +87,12 @@ function actions({ runtime, fault, note, onRetry, onLine }: StatusInput): Action
   return list;
 }
 
-function say({ phase, runtime, end, fault, runNote }: StatusInput): { tone: Tone; text: string } {
+function say(input: StatusInput): { tone: Tone; text: string } {
+  const { phase, runtime, end, fault, runNote, series } = input;
   if (runtime.state === "failed") {
     return { tone: "bad", text: statusWords.failed(runtime.error ?? "") };
   }
+  if (series) return { tone: "busy", text: repeatWords.goingOn };
   if (phase === "waiting") return { tone: "busy", text: statusWords.waiting };
   if (phase === "running") return { tone: "busy", text: runNote ?? statusWords.running };
   if (end) return ended(end, fault);
@@ -104,7 +114,8 @@ function ended(end: End, fault: Fault | null): { tone: Tone; text: string } {
   }
 }
 
-function count({ phase, runtime, reached }: StatusInput): string {
+function count({ phase, runtime, reached, series }: StatusInput): string {
+  if (series) return repeatWords.count(series.done, series.of);
   if (phase === "running") return statusWords.reached(reached);
   const { loaded, total } = runtime.progress;
   return runtime.state === "loading" && total > 0 ? statusWords.bytes(loaded, total) : "";

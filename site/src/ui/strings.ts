@@ -86,8 +86,6 @@ export const transportWords = {
 export const pickerWords = {
   world: "World",
   seed: "Seed",
-  seedHelp: "The same seed gives the same sensor noise, so the same run.",
-  newNoise: "New noise",
   ownProgram: (world: string) => `This is the program kept for ${world}.`,
   bring: (world: string) => `Use the one from ${world} here`,
   badSeed: (text: string, most: number, used: number) =>

@@ -151,7 +151,11 @@ export class ChartView extends LitElement {
     const frame = this.#frame;
     if (frame.clientWidth === 0) return;
     this.#plot = makePlot(frame, lines, shownNames(this.player.trace, this.runs), {
-      lastTime: () => Math.max(this.player.duration, this.earlier?.duration ?? 0),
+      lastTime: () =>
+        [this.player.trace, this.earlier, ...this.runs].reduce(
+          (last, run) => Math.max(last, run?.duration ?? 0),
+          0,
+        ),
       onSeek: (t) => this.player.seek(t),
     });
   }

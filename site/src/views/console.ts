@@ -52,7 +52,7 @@ export class ConsoleView extends LitElement {
       <div class="console-text">
         <p class="console-left" hidden></p>
         <div class="console-lines"></div>
-        <p>${quiet ? words.empty : this.note}</p>
+        ${(quiet ? words.empty : this.note).split("\n").map((line) => html`<p>${line}</p>`)}
       </div>
     </div>`;
   }

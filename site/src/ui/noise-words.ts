@@ -1,0 +1,27 @@
+/**
+ * The words of the noise: which seed a run has, and many runs of one program. Imports nothing of ours.
+ */
+
+export const noiseWords = {
+  name: "Noise",
+  help: "The same seed gives the same sensor noise, so the same run.",
+  same: "Same noise",
+  fresh: "New noise",
+};
+
+export const repeatWords = {
+  /** Where there is little room, the second word is left out. */
+  start: (times: number) => `Repeat ${times}`,
+  times: "times",
+  help: (times: number) => `Runs the program with ${times} seeds, to tell luck from skill.`,
+  cancel: "Cancel",
+  goingOn: "Repeating with other noise…",
+  count: (done: number, of: number) => `${done} of ${of}`,
+  run: (seed: number, values: string) => `Seed ${seed} finished${values && `: ${values}`}`,
+  failed: (seed: number) => `Seed ${seed} ended with an error`,
+  limit: (seed: number, message: string) => `Seed ${seed}: ${message}`,
+  stopped: (seed: number) => `The run with seed ${seed} ended like this, so the rest are left out.`,
+  summary: (runs: number) => (runs === 1 ? "1 run ends at:" : `${runs} runs end at:`),
+  line: (name: string, median: string, low: string, high: string) =>
+    `${name}: median ${median}, lowest ${low}, highest ${high}`,
+};
