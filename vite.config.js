@@ -19,6 +19,8 @@ export default defineConfig({
     // A data: address in a script would need a wider Content-Security-Policy.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
+    // The editor with the language and the chart is one part, loaded only by pages with a lab.
+    chunkSizeWarningLimit: 800,
     rollupOptions: {
       input: { home: page("index.html"), lab: page("lab/index.html") },
     },
