@@ -1,6 +1,7 @@
 /**
  * The site as a person finds it: by role and label. The stories use nothing else.
  */
+import { readFile } from "node:fs/promises";
 import { expect, type Locator, type Page } from "@playwright/test";
 
 export class App {
@@ -71,6 +72,28 @@ export class App {
     return this.page
       .locator("bugbot-lab")
       .evaluate((lab: HTMLElement & { program: string }) => lab.program);
+  }
+
+  /** Opens the More button and presses one of what is behind it. */
+  async more(item: string): Promise<void> {
+    await this.page.getByRole("button", { name: "More", exact: true }).click();
+    await this.page.getByRole("button", { name: item }).click();
+  }
+
+  /** The same for an item that saves a file: its name and what is in it. */
+  async saved(item: string): Promise<{ name: string; content: Buffer }> {
+    const saving = this.page.waitForEvent("download");
+    await this.more(item);
+    const download = await saving;
+    return { name: download.suggestedFilename(), content: await readFile(await download.path()) };
+  }
+
+  /** The same for an item that opens a file. */
+  async openFile(item: string, name: string, content: string | Buffer): Promise<void> {
+    const choosing = this.page.waitForEvent("filechooser");
+    await this.more(item);
+    const buffer = Buffer.from(content);
+    await (await choosing).setFiles({ name, mimeType: "application/octet-stream", buffer });
   }
 
   /** Shows the end of a run at once, so that a story need not wait for it to play. */

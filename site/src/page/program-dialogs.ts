@@ -51,11 +51,12 @@ export async function chooseVersion(all: readonly Version[], mine: string): Prom
     dialog.show(
       html`<p>${versionWords.lead}</p>
         <div class="versions">
-          <ol aria-label=${versionWords.list} tabindex="-1">
+          <ol aria-label=${versionWords.list}>
             ${versions.map(
               (version) => html`<li>
                 <button
                   type="button"
+                  ?autofocus=${version === chosen}
                   aria-pressed=${version === chosen ? "true" : "false"}
                   @click=${() => choose(version)}
                 >

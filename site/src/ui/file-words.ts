@@ -4,8 +4,10 @@
  */
 import { megabytes } from "./dom.ts";
 
-const size = (bytes: number): string =>
-  bytes < 100_000 ? `${Math.max(0.1, bytes / 1000).toFixed(1)} kB` : `${megabytes(bytes)} MB`;
+const size = (bytes: number): string => {
+  if (bytes < 1000) return `${bytes} B`;
+  return bytes < 1e6 ? `${(bytes / 1000).toFixed(1)} kB` : `${megabytes(bytes)} MB`;
+};
 
 const lines = (text: string): string => {
   const count = text.split("\n").length - (text.endsWith("\n") ? 1 : 0);
