@@ -30,6 +30,24 @@ for (const theme of ["Light", "Dark"]) {
   });
 }
 
+for (const theme of ["Light", "Dark"]) {
+  test(`the lab's menu and panels, ${theme.toLowerCase()}`, async ({ app, page }) => {
+    await app.openLab("world=empty");
+    await page.getByRole("combobox", { name: "Colours" }).selectOption(theme);
+    await page.getByRole("button", { name: "More", exact: true }).click();
+    expect(await violations(page)).toEqual([]);
+    await page.getByRole("button", { name: "Share as a link…" }).click();
+    await expect(page.getByRole("dialog")).toBeVisible();
+    expect(await violations(page)).toEqual([]);
+    await page.getByRole("button", { name: "Close" }).click();
+    await app.setProgram(FAILS_ON_LINE_4);
+    await app.reset.click();
+    await app.more("Earlier versions…");
+    await expect(page.getByRole("dialog")).toBeVisible();
+    expect(await violations(page)).toEqual([]);
+  });
+}
+
 test("the chosen colours are remembered", async ({ page }) => {
   await page.goto("./");
   await page.getByRole("combobox", { name: "Colours" }).selectOption("Dark");

@@ -4,7 +4,7 @@
  */
 import { python } from "@codemirror/lang-python";
 import { EditorState, type Extension, RangeSetBuilder } from "@codemirror/state";
-import { Decoration, EditorView, lineNumbers } from "@codemirror/view";
+import { Decoration, EditorView, highlightSpecialChars, lineNumbers } from "@codemirror/view";
 import { dialogWords } from "../ui/file-words.ts";
 import { theme } from "./theme.ts";
 
@@ -29,6 +29,8 @@ export class ProgramPreview {
 function extensions(changed: { first: number; last: number } | null): Extension {
   return [
     lineNumbers(),
+    // Signs that cannot be seen, or turn text round, can hide what a program does.
+    highlightSpecialChars(),
     python(),
     theme,
     EditorView.lineWrapping,
