@@ -1,6 +1,6 @@
 /**
  * Redoes the run while a number moves: one run at a time, and after it the newest value.
- * Imports nothing of ours; what a run is is handed in.
+ * Imports a type of `editor`; what a run is is handed in.
  */
 import type { NumberEvent } from "../editor/gesture.ts";
 

@@ -71,6 +71,7 @@ export class Repeat extends EventTarget {
       this.#runs = [...this.#runs, trace];
       if (i === 0) this.#listeners.onFirst(trace);
       this.#changed();
+      if (this.#running !== mine) return;
     }
     this.cancel();
   }
