@@ -61,9 +61,9 @@ export const HOSTILE: Hostile[] = [
     line: 2,
   },
   {
-    name: "recursion without a limit",
+    name: "recursion with a limit of its own, far too high",
     program:
-      "import sys\nsys.setrecursionlimit(10**6)\ndef f(n):\n    return f(n + 1) + 1\nprint(f(0))",
+      "import sys\nsys.setrecursionlimit(10**5)\ndef f(n):\n    return f(n + 1) + 1\nprint(f(0))",
     status: "fault",
     type: /RecursionError|MemoryError|SystemError/,
   },
@@ -161,7 +161,7 @@ export const HOSTILE: Hostile[] = [
   {
     name: "drawing without end",
     program:
-      "from bugbot import *\ndots = [(i % 200, i // 200) for i in range(40000)]\nwhile True:\n    dots.reverse()\n    draw('m', dots)",
+      "from bugbot import *\nn = 0\nwhile True:\n    n += 1\n    draw('m', [(0, 0, 'x' * 500_000 + str(n))], shape='text')",
     status: "limit",
     says: /trace|much|MB/i,
   },
