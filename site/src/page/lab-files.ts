@@ -3,36 +3,23 @@
  * file dropped on the editor, and programs that are offered. Whatever replaces the program is one
  * step that undo takes back. May import every room of the site but `worker`.
  */
-import { writeTraceFile } from "../trace/file.ts";
-import type { Trace } from "../trace/trace.ts";
-import { fileWords, menuWords, shareWords, starterWords, versionWords } from "../ui/file-words.ts";
-import { labWords } from "../ui/strings.ts";
-import type { ChartView } from "../views/chart.ts";
-import type { OverheadView } from "../views/overhead/overhead.ts";
-import type { Place } from "./address.ts";
+import {
+  fileWords,
+  menuWords,
+  printWords,
+  shareWords,
+  starterWords,
+  tabWords,
+  versionWords,
+} from "../ui/file-words.ts";
+import { labWords, statusWords } from "../ui/strings.ts";
 import type { MenuGroup } from "./lab-menu.ts";
-import type { LabProgram } from "./lab-program.ts";
+import type { Sheet } from "./print.ts";
 import { chooseVersion, offerProgram } from "./program-dialogs.ts";
+import { type LabDesk, placeOfRun, runItems, showRun, titleOf } from "./run-files.ts";
 import { linkTo } from "./share.ts";
 import { showLink } from "./share-dialog.ts";
-import type { Note } from "./status.ts";
 import { chooseFile, FileError, readFile, readRun, saveFile } from "./text-file.ts";
-
-/** What is asked of the lab. */
-export interface LabDesk {
-  readonly program: LabProgram;
-  readonly place: Place;
-  readonly worldTitle: string;
-  /** Address of the lab's own page. */
-  readonly labAddress: string;
-  /** The run on show; null before the first. */
-  readonly run: Trace | null;
-  readonly overhead: OverheadView;
-  readonly chart: ChartView;
-  /** Shows a run made before, on its world. */
-  show(run: Trace): Promise<void>;
-  say(note: Note): void;
-}
 
 export class LabFiles {
   readonly #desk: LabDesk;
@@ -43,8 +30,6 @@ export class LabFiles {
 
   /** What the More button opens. */
   get menu(): MenuGroup[] {
-    const { run } = this.#desk;
-    const complete = run?.complete === true;
     return [
       {
         title: menuWords.program,
@@ -57,13 +42,7 @@ export class LabFiles {
       },
       {
         title: menuWords.run,
-        items: [
-          { label: menuWords.saveRun, disabled: !complete, act: () => this.#saveRun() },
-          { label: menuWords.openRun, act: () => this.#openRun() },
-          { label: menuWords.chart, disabled: !run?.series.size, act: () => this.#saveChart() },
-          { label: menuWords.picture, act: () => this.#savePicture() },
-          { label: menuWords.print, act: () => print() },
-        ],
+        items: runItems(this.#desk, () => this.#openRun()),
       },
     ];
   }
@@ -92,20 +71,54 @@ export class LabFiles {
     );
   }
 
+  /** Back to the page's own program. */
+  reset(): void {
+    const { program, say } = this.#desk;
+    if (program.text === program.starter) say({ text: statusWords.reset });
+    else this.#replace(program.starter, statusWords.reset);
+  }
+
+  /** Says whose program has been opened. */
+  tellOpened(whose: "starter" | "own" | "outgrown" | undefined): void {
+    const { say } = this.#desk;
+    const see = { label: starterWords.see, act: () => void this.#offerStarter() };
+    if (whose === "outgrown") say({ text: starterWords.changed, action: see });
+    else say(whose === "own" ? { text: statusWords.restored } : null);
+  }
+
+  /** Another tab has kept something: if it is this program, the reader may have it here. */
+  tellElsewhere(name: string): void {
+    const { program, say } = this.#desk;
+    const theirs = program.elsewhere(name);
+    if (theirs === null) return;
+    const act = (): void => this.#replace(theirs, tabWords.shown);
+    say({ text: tabWords.changed, action: { label: tabWords.show, act } });
+  }
+
+  /** What is written on paper besides what the lab shows. */
+  get sheet(): Sheet {
+    const { lab, program } = this.#desk;
+    const { world, seed } = placeOfRun(this.#desk);
+    return {
+      heading: printWords.heading(lab.label, titleOf(this.#desk, world), seed),
+      program: program.text,
+    };
+  }
+
   /** Shows a program that came in a link, and opens it if the reader says so. */
   async offerShared(program: string): Promise<void> {
-    const { place, worldTitle, say } = this.#desk;
+    const { lab, say } = this.#desk;
     const mine = this.#desk.program.text;
     if (program === mine) return say({ text: shareWords.same });
     const { offered: title, offer, take, keep, taken } = shareWords;
-    const lead = offer(program, worldTitle, place.seed);
+    const lead = offer(program, titleOf(this.#desk, lab.world), lab.seed);
     if (await offerProgram({ title, lead, program, mine: null, take, keep })) {
       this.#replace(program, taken);
     }
   }
 
   /** Shows the starter of a newer page beside the program begun from an older one. */
-  async offerStarter(): Promise<void> {
+  async #offerStarter(): Promise<void> {
     const { program: kept } = this.#desk;
     const { title, lead, take, keep, taken } = starterWords;
     const offer = { title, lead, program: kept.starter, mine: kept.text, take, keep };
@@ -146,7 +159,7 @@ export class LabFiles {
 
   async #openFile(file: File): Promise<void> {
     const opened = await readFile(file);
-    if ("run" in opened) return this.#showRun(opened.run);
+    if ("run" in opened) return showRun(this.#desk, opened.run);
     if (opened.program === this.#desk.program.text) {
       this.#desk.say({ text: fileWords.same(file.name) });
     } else {
@@ -158,50 +171,16 @@ export class LabFiles {
     saveFile("program.py", this.#desk.program.text, "text/x-python");
   }
 
-  async #share(): Promise<void> {
-    const { labAddress, place, program } = this.#desk;
-    showLink(await linkTo(labAddress, place, program.text), () => this.#save());
-  }
-
-  #saveRun(): void {
-    const { run } = this.#desk;
-    if (run) saveFile(`${this.#runName}.trace`, writeTraceFile(run), "application/x-ndjson");
-  }
-
   #openRun(): Promise<void> {
     return this.#told(async () => {
       // Any file may be chosen: phones do not know what a .trace is.
       const file = await chooseFile("");
-      if (file) await this.#showRun(await readRun(file));
+      if (file) await showRun(this.#desk, await readRun(file));
     });
   }
 
-  async #showRun(run: Trace): Promise<void> {
-    await this.#desk.show(run);
-    const { program, say } = this.#desk;
-    const { world, seed, program: ran } = run.header;
-    const act = (): void => {
-      program.replace(ran);
-      program.shows(ran);
-    };
-    say({
-      text: fileWords.run(world.title, seed),
-      ...(ran === program.text ? {} : { action: { label: fileWords.takeProgram, act } }),
-    });
-  }
-
-  #saveChart(): void {
-    saveFile(`${this.#runName}.csv`, this.#desk.chart.toCsv(), "text/csv");
-  }
-
-  async #savePicture(): Promise<void> {
-    saveFile(`${this.#runName}.png`, await this.#desk.overhead.toPng());
-  }
-
-  /** The run's, or before the first what it would be. */
-  get #runName(): string {
-    const { run, place } = this.#desk;
-    const world = run?.header.world.name ?? place.world;
-    return `${world}-seed-${run?.header.seed ?? place.seed}`;
+  async #share(): Promise<void> {
+    const { labAddress, lab, program } = this.#desk;
+    showLink(await linkTo(labAddress, lab, program.text), () => this.#save());
   }
 }

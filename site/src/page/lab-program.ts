@@ -86,13 +86,6 @@ export class LabProgram {
     return this.#kept.outgrown ? "outgrown" : "own";
   }
 
-  /** Back to the starter, as one step that undo takes back; says what it was before. */
-  reset(): string {
-    const before = this.text;
-    this.replace(this.#starter);
-    return before;
-  }
-
   /** Keeps the text as it is now as a version to go back to. */
   putAside(): void {
     this.#kept?.putAside(this.text);

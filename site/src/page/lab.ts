@@ -14,19 +14,16 @@ import type { Outcome, World } from "../trace/events.ts";
 import { writeTraceFile } from "../trace/file.ts";
 import { outcomeOf } from "../trace/outcome.ts";
 import type { Trace } from "../trace/trace.ts";
-import { printWords, starterWords, tabWords } from "../ui/file-words.ts";
 import { repeatWords } from "../ui/noise-words.ts";
-import { labWords, pickerWords, starterProgram, statusWords } from "../ui/strings.ts";
-import type { ChartView } from "../views/chart.ts";
-import type { OverheadView } from "../views/overhead/overhead.ts";
+import { pickerWords, starterProgram, statusWords } from "../ui/strings.ts";
 import { FIRST_SEED } from "./address.ts";
 import { applyCodeSize, changeCodeSize } from "./code-size.ts";
 import { emptyTrace } from "./empty-trace.ts";
 import { labFace } from "./lab-face.ts";
-import { type LabDesk, LabFiles } from "./lab-files.ts";
+import { LabFiles } from "./lab-files.ts";
 import { LabProgram } from "./lab-program.ts";
 import { newSeed, type PickersInput } from "./pickers.ts";
-import { fitForPaper, type Sheet } from "./print.ts";
+import { fitForPaper } from "./print.ts";
 import { Redoing } from "./redoing.ts";
 import { Repeat } from "./repeat.ts";
 import { Runner } from "./runner.ts";
@@ -182,8 +179,10 @@ export class BugbotLab extends LitElement {
     applyCodeSize(this);
     this.#services.runtime.addEventListener("change", this.#onRuntime);
     addEventListener("pagehide", this.#onLeave);
-    this.#stopPaper = fitForPaper(this, () => this.#sheet());
-    this.#stopElsewhere = this.#services.store.onElsewhere((name) => this.#elsewhere(name));
+    this.#stopPaper = fitForPaper(this, () => this.#files?.sheet);
+    this.#stopElsewhere = this.#services.store.onElsewhere((name) =>
+      this.#files?.tellElsewhere(name),
+    );
   }
 
   override disconnectedCallback(): void {
@@ -210,7 +209,15 @@ export class BugbotLab extends LitElement {
       // What can be undone at the moment matters more.
       onRefused: () => this.#note?.action ?? this.#say({ text: statusWords.notKept }),
     });
-    this.#files = new LabFiles(this.#desk(this.#program));
+    this.#files = new LabFiles({
+      lab: this,
+      program: this.#program,
+      worlds: this.#services.worlds,
+      labAddress: this.#services.labAddress,
+      run: () => this.#runner.trace,
+      show: (run) => this.#showSaved(run),
+      say: (note) => this.#say(note),
+    });
     this.#files.acceptDrops(host);
     this.#open();
     if (this.#programToBe !== null) this.#program.replace(this.#programToBe);
@@ -247,16 +254,11 @@ export class BugbotLab extends LitElement {
   /** Shows this world, empty, and the program that belongs to it here. */
   #open(): void {
     const page = location.pathname.replace(/index\.html$/, "");
-    const own = this.#program?.open(`${page}#${this.id}:${this.world}`, this.#starter);
+    const opened = this.#program?.open(`${page}#${this.id}:${this.world}`, this.#starter);
     this.#player.show(emptyTrace(this.#world));
     this.#earlier = null;
     this.#repeat.clear();
-    if (own === "outgrown") {
-      const act = (): void => void this.#files?.offerStarter();
-      this.#say({ text: starterWords.changed, action: { label: starterWords.see, act } });
-    } else {
-      this.#say(own === "own" ? { text: statusWords.restored } : null);
-    }
+    this.#files?.tellOpened(opened);
   }
 
   /** After a change of world: the program that was here may come along. */
@@ -267,25 +269,6 @@ export class BugbotLab extends LitElement {
       text: pickerWords.ownProgram(this.#world.title),
       action: { label: pickerWords.bring(title), act: () => this.#program?.replace(text) },
     });
-  }
-
-  #reset(): void {
-    const before = this.#program?.reset();
-    if (before === undefined) return;
-    const undo = { label: labWords.undo, act: () => this.#program?.replace(before) };
-    const changed = before !== this.#program?.text;
-    this.#say({ text: statusWords.reset, ...(changed ? { action: undo } : {}) });
-  }
-
-  /** Another tab has kept something: if it is this program, the reader may have it here. */
-  #elsewhere(name: string): void {
-    const theirs = this.#program?.elsewhere(name) ?? null;
-    if (theirs === null) return;
-    const act = (): void => {
-      this.#program?.replace(theirs);
-      this.#say({ text: tabWords.shown });
-    };
-    this.#say({ text: tabWords.changed, action: { label: tabWords.show, act } });
   }
 
   #choose(place: { world?: string; seed?: number }): void {
@@ -374,7 +357,7 @@ export class BugbotLab extends LitElement {
       runs: this.#repeat.runs,
       report: this.#repeat.report,
       menu: this.#files?.menu ?? [],
-      onReset: () => this.#reset(),
+      onReset: () => this.#files?.reset(),
       onStop: () => this.#stopAndReturn(),
       onRun: () => void this.run(),
       onCodeSize: (by) => changeCodeSize(this, by),
@@ -396,38 +379,6 @@ export class BugbotLab extends LitElement {
       onCancel: () => this.#cancelRepeat(),
       onRetry: () => this.#services.runtime.warm(),
       onLine: (line) => this.#program?.goToLine(line),
-    };
-  }
-
-  #sheet(): Sheet {
-    const run = this.#runner.trace?.header;
-    const world = run?.world ?? this.#world;
-    const heading = printWords.heading(this.label, world.title, run?.seed ?? this.seed);
-    return { heading, program: this.program };
-  }
-
-  #desk(program: LabProgram): LabDesk {
-    const lab = this;
-    return {
-      program,
-      labAddress: lab.#services.labAddress,
-      get place() {
-        return { world: lab.world, seed: lab.seed };
-      },
-      get worldTitle() {
-        return lab.#world.title;
-      },
-      get run() {
-        return lab.#runner.trace;
-      },
-      get overhead() {
-        return lab.#part<OverheadView>("overhead-view");
-      },
-      get chart() {
-        return lab.#part<ChartView>("chart-view");
-      },
-      show: (run) => lab.#showSaved(run),
-      say: (note) => lab.#say(note),
     };
   }
 

@@ -9,14 +9,15 @@ export interface Sheet {
   program: string;
 }
 
-/** Returns the function that ends it. */
-export function fitForPaper(lab: HTMLElement, sheet: () => Sheet): () => void {
+/** `sheet` is asked when it comes to printing. Returns the function that ends it. */
+export function fitForPaper(lab: HTMLElement, sheet: () => Sheet | undefined): () => void {
   const heading = document.createElement("h2");
   const program = document.createElement("pre");
   heading.className = "lab-sheet-heading";
   program.className = "lab-sheet-program";
   const write = (): void => {
     const now = sheet();
+    if (!now) return;
     heading.textContent = now.heading;
     // A line each, so that a break between pages never cuts one, and the numbers can be counted.
     const lines = now.program.replace(/\n$/, "").split("\n");
