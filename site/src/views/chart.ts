@@ -158,6 +158,8 @@ export class ChartView extends LitElement {
         ),
       onSeek: (t) => this.player.seek(t),
     });
+    // A new plot has no scales yet: it sets them in a microtask of its own, before this one.
+    queueMicrotask(() => this.#placeCursor());
   }
 
   #drop(): void {
