@@ -71,7 +71,10 @@ export function labFace(face: LabFace): TemplateResult {
 function actions({ status: { phase }, onReset, onStop, onRun }: LabFace): TemplateResult {
   const busy = phase === "running" || phase === "waiting";
   return html`<div class="lab-actions">
-    <button type="button" @click=${onReset}>${labWords.reset}</button>
+    <button type="button" aria-label=${labWords.reset} @click=${onReset}>
+      <span class="in-full">${labWords.reset}</span>
+      <span class="in-short">${labWords.resetShort}</span>
+    </button>
     <button type="button" ?disabled=${!busy} @click=${onStop}>${icons.stop}${labWords.stop}</button>
     <button type="button" class="go" @click=${onRun}>${icons.play}${labWords.run}</button>
   </div>`;

@@ -37,6 +37,7 @@ export const labWords = {
   run: "Run",
   stop: "Stop",
   reset: "Reset program",
+  resetShort: "Reset",
   undo: "Undo",
   retry: "Try again",
 };
