@@ -49,8 +49,9 @@ export default defineConfig({
     {
       name: "e2e-phone",
       ...browser,
-      // What Python does is the same on every screen.
-      testIgnore: /(bad-input|containment|hostile|python|same-trace)\.spec/,
+      // What Python does, what is kept and what the address says is the same on every screen.
+      testIgnore:
+        /(address|bad-input|containment|error|hostile|keep|keyboard|python|same-trace|start-up|stop)\.spec/,
       use: {
         viewport: { width: 390, height: 844 },
         hasTouch: true,
