@@ -30,7 +30,10 @@ test("a file dropped on the editor is opened", async ({ app, page }) => {
   expect(await app.text()).toBe('print("dropped")\n');
 });
 
-test("a file that is no program is refused in words; one of a megabyte is not", async ({ app }) => {
+test("a file that is no program is refused in words; one of a megabyte is not", async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   const before = await app.text();
   await app.openFile(OPEN, "photo.py", Buffer.from([0x89, 0x50, 0x4e, 0x47, 0, 1, 2, 0xff]));
@@ -41,6 +44,9 @@ test("a file that is no program is refused in words; one of a megabyte is not", 
   await app.openFile(OPEN, "large.py", "x = 0\n".repeat(170_000));
   await expect(app.status).toContainText("This is large.py.");
   expect(await app.text()).toHaveLength(6 * 170_000);
+  await app.program.focus();
+  await page.keyboard.press("ControlOrMeta+z");
+  expect(await app.text()).toBe(before);
 });
 
 test("a run, its chart and its picture are saved; the run opens on its world", async ({ app }) => {

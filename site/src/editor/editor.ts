@@ -49,12 +49,17 @@ export interface EditorOptions {
 /** Reading a whole program takes a few ms; this much is given to a very long one [ms]. */
 const PARSE_MS = 200;
 
+/** Longer insertions need care [characters]. */
+const LONG = 100_000;
+
 export class ProgramEditor {
   readonly #view: EditorView;
   readonly #extensions: Extension;
+  readonly #onChange: (text: string) => void;
 
   constructor(parent: HTMLElement, options: EditorOptions) {
     this.#extensions = extensions(options);
+    this.#onChange = options.onChange;
     this.#view = new EditorView({ parent, state: this.#stateOf(options.text) });
   }
 
@@ -86,11 +91,18 @@ export class ProgramEditor {
       oldEnd--;
       newEnd--;
     }
-    this.#view.dispatch({
+    const step = this.#view.state.update({
       changes: { from: start, to: oldEnd, insert: text.slice(start, newEnd) },
       annotations: isolateHistory.of("full"),
       userEvent: "input.replace",
     });
+    if (newEnd - start < LONG) {
+      this.#view.dispatch(step);
+    } else {
+      // Out of the window's sight, what is inserted would all be drawn, to the last line.
+      this.#view.setState(step.state);
+      this.#onChange(this.text);
+    }
   }
 
   /**
