@@ -209,11 +209,22 @@ async function stopping(launch, server) {
  * @returns {Promise<Row[]>}
  */
 async function sliding(launch, server) {
-  const results = await visit(launch, labUrl(server), async (page) => {
+  const { whole, results } = await visit(launch, labUrl(server), async (page) => {
     await warmLab(page);
-    const movements = [];
-    for (let i = 0; i < 5; i += 1) movements.push(await page.evaluate(moveSlider));
-    return movements;
+    const whole = await page.evaluate(async () => {
+      const lab = /** @type {any} */ (document.querySelector("bugbot-lab"));
+      const times = [];
+      for (let i = 0; i < 9; i += 1) {
+        await lab.ready();
+        const pressed = performance.now();
+        await lab.run();
+        times.push(performance.now() - pressed);
+      }
+      return times;
+    });
+    const results = [];
+    for (let i = 0; i < 5; i += 1) results.push(await page.evaluate(moveSlider));
+    return { whole, results };
   });
   const shown = results.flatMap((movement) => movement.shown);
   const last = results.map((movement) => movement.last);
@@ -224,14 +235,18 @@ async function sliding(launch, server) {
       measured: Math.round(median(shown)),
       unit: "ms",
       goal: 200,
-      detail: `worst of ${shown.length}: ${Math.round(Math.max(...shown))} ms; ${round2(perSecond)} states a second`,
+      detail:
+        `${round2(median(shown) / median(whole))} times a whole run; worst of ${shown.length}: ` +
+        `${Math.round(Math.max(...shown))} ms; ${round2(perSecond)} states a second`,
     },
     {
       what: "slider's last value to its end state",
       measured: Math.round(median(last)),
       unit: "ms",
       goal: 200,
-      detail: `worst of ${last.length}: ${Math.round(Math.max(...last))} ms`,
+      detail:
+        `${round2(median(last) / median(whole))} times a whole run; worst of ${last.length}: ` +
+        `${Math.round(Math.max(...last))} ms`,
     },
   ];
 }
