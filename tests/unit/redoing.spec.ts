@@ -2,14 +2,17 @@
 import { expect, test } from "@playwright/test";
 import { Redoing } from "../../site/src/page/redoing.ts";
 
-/** A page of which the value is set by hand and each run ended by hand. */
-function bench() {
+/**
+ * A page of which the value is set by hand and each run ended by hand; `spares` says how many
+ * interpreters there are.
+ */
+function bench(spares = 3) {
   const log: string[] = [];
   const ends: (() => void)[] = [];
   const page = { value: 0 };
   const redoing = new Redoing({
     begin: () => log.push("begin"),
-    ready: () => Promise.resolve(),
+    ready: (runs) => (runs <= spares ? Promise.resolve() : new Promise(() => {})),
     run: () => {
       log.push(`run ${page.value}`);
       return new Promise<void>((resolve) => ends.push(resolve));
@@ -66,4 +69,15 @@ test("each movement begins anew", async () => {
   await end();
   await move(2);
   expect(log).toEqual(["begin", "run 1", "begin", "run 2"]);
+});
+
+test("while the number moves one interpreter is kept for the last value", async () => {
+  const { log, move, release, end } = bench(1);
+  await move(1);
+  await end();
+  await move(2);
+  await move(3);
+  expect(log).toEqual(["begin", "run 1"]);
+  await release();
+  expect(log).toEqual(["begin", "run 1", "run 3"]);
 });

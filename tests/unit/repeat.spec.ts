@@ -44,7 +44,7 @@ test("twenty seeds, the asked one first, a line for each, and what they come to"
   );
   expect(lines[0]).toBe("Seed 7 finished: score 7");
   expect(lines[19]).toBe("Seed 26 finished: score 26");
-  expect(lines.slice(20)).toEqual(["20 runs end at:", "score: median 16.5, lowest 7, highest 26"]);
+  expect(lines.slice(20)).toEqual(["20 runs end at:", "score: median 16.5, from 7 to 26"]);
   expect(shown).toEqual(["first 7"]);
   expect(repeat.progress).toBeNull();
   expect(spares).toEqual([2, 1]);
@@ -59,7 +59,7 @@ test("a run that does not finish ends the series, and is the one to show", async
       "Seed 8 finished: score 8",
       "Seed 9: Too long.",
       "2 runs end at:",
-      "score: median 7.5, lowest 7, highest 8",
+      "score: median 7.5, from 7 to 8",
     ].join("\n"),
   );
   expect(shown).toEqual(["first 7", "failed 9"]);
@@ -72,7 +72,7 @@ test("cancelled, it keeps the runs it has and starts no more", async () => {
   });
   await repeat.start(REQUEST);
   expect(repeat.runs).toHaveLength(3);
-  expect(repeat.report).toContain("3 runs end at:\nscore: median 8, lowest 7, highest 9");
+  expect(repeat.report).toContain("3 runs end at:\nscore: median 8, from 7 to 9");
 });
 
 test("the seed after the largest is 0", async () => {

@@ -81,7 +81,7 @@ export class BugbotLab extends LitElement {
     );
     this.#redoing = new Redoing({
       begin: () => this.#leaveRun(),
-      ready: () => this.ready(),
+      ready: (runs) => services.runtime.ready(runs),
       run: () => this.#run("end"),
       expect: (spares) => services.runtime.expect(spares),
     });

@@ -14,8 +14,8 @@ const LONG_MS = 1000;
 export interface RedoingOptions {
   /** A number begins to move, with the run from before on show. */
   begin(): void;
-  /** Resolves when a run would start at once. */
-  ready(): Promise<void>;
+  /** Resolves when so many runs would start at once. */
+  ready(runs: number): Promise<void>;
   /** Runs the program as it is now, ending the run before; resolves when it has ended. */
   run(): Promise<unknown>;
   /** Have so many interpreters to spare. */
@@ -25,6 +25,10 @@ export interface RedoingOptions {
 export class Redoing {
   readonly #options: RedoingOptions;
   #moving = false;
+  /** No run of this movement has begun. */
+  #first = true;
+  /** Ends the wait of a run that is to leave an interpreter for the last value. */
+  #letGo: () => void = () => {};
   /** The run under way, or none. A new object for each: an overtaken one knows it by that. */
   #underWay: { since: number | null } | null = null;
   /** The program has changed since the run under way began. */
@@ -39,13 +43,19 @@ export class Redoing {
     if (event === "held") {
       this.#options.expect(SPARES);
     } else if (event === "moved") {
-      if (!this.#moving) this.#options.begin();
-      this.#moving = true;
+      if (!this.#moving) this.#begin();
       this.#again = true;
     } else {
       this.#moving = false;
+      this.#letGo();
     }
     this.#next();
+  }
+
+  #begin(): void {
+    this.#moving = true;
+    this.#first = true;
+    this.#options.begin();
   }
 
   /** Starts what is to be started now, and sees to it that something does later. */
@@ -71,14 +81,29 @@ export class Redoing {
   async #run(): Promise<void> {
     const mine: { since: number | null } = { since: null };
     this.#underWay = mine;
-    // The program is read as late as can be: when an interpreter is there to run it. That Python
-    // can't be started is told by the run.
-    await this.#options.ready().catch(() => {});
+    await this.#interpreter();
+    // The program is read as late as can be: when there is an interpreter to run it.
     this.#again = false;
     mine.since = performance.now();
     await this.#options.run();
     if (this.#underWay !== mine) return;
     this.#underWay = null;
     this.#next();
+  }
+
+  /**
+   * Waits for an interpreter. While the number moves on there is to be one more, so that the last
+   * value need not wait for its own; only the first run takes what there is.
+   */
+  async #interpreter(): Promise<void> {
+    const keepsOne = this.#moving && !this.#first;
+    this.#first = false;
+    const released = new Promise<void>((resolve) => {
+      this.#letGo = resolve;
+    });
+    // That Python can't be started is told by the run.
+    const ready = (runs: number): Promise<void> => this.#options.ready(runs).catch(() => {});
+    if (keepsOne) await Promise.race([ready(2), released]);
+    await ready(1);
   }
 }

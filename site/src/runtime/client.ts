@@ -82,11 +82,14 @@ export class Runtime extends EventTarget {
     return new Run(request, listeners, workers, this.#assets);
   }
 
-  /** Resolves when a run would start at once; rejects if Python can't be started. */
-  async ready(): Promise<void> {
+  /**
+   * Resolves when so many runs would start at once, of as many as are expected; rejects if Python
+   * can't be started.
+   */
+  async ready(runs = 1): Promise<void> {
     this.warm();
     await this.#started;
-    await this.#pool?.prepare();
+    await this.#pool?.prepare(runs);
   }
 
   /** Many short runs are coming: have so many interpreters to spare. 1 gives the others back. */

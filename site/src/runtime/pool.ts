@@ -74,8 +74,11 @@ export class Pool {
     }
   }
 
-  /** Have the spares on their way. Resolves when one is ready; rejects if none can be started. */
-  async prepare(): Promise<void> {
+  /**
+   * Have the spares on their way. Resolves when `count` of those held are ready; rejects if they
+   * can't be started.
+   */
+  async prepare(count = 1): Promise<void> {
     this.#spares[0] ??= this.start();
     const spare = this.#spares[0];
     try {
@@ -86,6 +89,7 @@ export class Pool {
     }
     // One after the other: side by side each would take longer, the first as well.
     this.#addNext();
+    await Promise.all(this.#spares.slice(0, count));
   }
 
   #addNext(): void {

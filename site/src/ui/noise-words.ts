@@ -23,5 +23,5 @@ export const repeatWords = {
   stopped: (seed: number) => `The run with seed ${seed} ended like this, so the rest are left out.`,
   summary: (runs: number) => (runs === 1 ? "1 run ends at:" : `${runs} runs end at:`),
   line: (name: string, median: string, low: string, high: string) =>
-    `${name}: median ${median}, lowest ${low}, highest ${high}`,
+    `${name}: median ${median}, from ${low} to ${high}`,
 };
