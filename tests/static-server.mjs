@@ -2,16 +2,16 @@
  * The plainest static host there is, for the tests: dist/ below a folder, no special headers, no
  * compression, no redirects but the one to a folder's slash.
  *
- * node tests/static-server.mjs [PORT [FOLDER-OF-THE-ADDRESS]]
+ * node tests/static-server.mjs [PORT [FOLDER-OF-THE-ADDRESS [FOLDER-OF-THE-SITE]]]
  */
 import { createReadStream, existsSync, statSync } from "node:fs";
 import { createServer } from "node:http";
-import { extname, join } from "node:path";
+import { extname, join, resolve } from "node:path";
 import { ROOT } from "../site/build/files.mjs";
 
 const port = Number(process.argv[2] ?? 4174);
 const prefix = process.argv[3] ?? "/some/school/";
-const dist = join(ROOT, "dist");
+const dist = resolve(process.argv[4] ?? join(ROOT, "dist"));
 
 /** @type {Record<string, string>} */
 const TYPES = {
