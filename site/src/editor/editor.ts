@@ -27,7 +27,7 @@ import { gesture, type OnNumber } from "./gesture.ts";
 import { leaveWithEscape } from "./leaving.ts";
 import { lineMarks, lineStart, setFaultLine, setPlayingLine } from "./line-marks.ts";
 import { movingNumbers } from "./moving.ts";
-import { constantsOf, writtenLike } from "./numbers.ts";
+import { constantsOf, withValues } from "./numbers.ts";
 import { type Call, robotCalls } from "./robot-calls.ts";
 import { sliders } from "./sliders.ts";
 import { syntaxProblems } from "./syntax.ts";
@@ -106,15 +106,13 @@ export class ProgramEditor {
   }
 
   /**
-   * Gives `NAME = number` at the program's top level another value, as one step that undo takes
-   * back. Throws a RangeError where there is no such line.
+   * Gives each `NAME = number` at the program's top level another value, all as one step that undo
+   * takes back. Throws a RangeError where there is no such line, and then has changed nothing.
    */
-  setConstant(name: string, value: number): void {
+  setConstants(values: Readonly<Record<string, number>>): void {
     const { text } = this;
     const tree = ensureSyntaxTree(this.#view.state, text.length, PARSE_MS);
-    const found = tree && constantsOf(tree, text).find((constant) => constant.name === name);
-    if (!found) throw new RangeError(`the program has no line "${name} = …" with a number`);
-    this.replace(text.slice(0, found.from) + writtenLike(found.text, value) + text.slice(found.to));
+    this.replace(withValues(text, tree ? constantsOf(tree, text) : [], values));
   }
 
   /** Marks the line being carried out at the shown time (1 first); null takes the mark away. */

@@ -39,6 +39,26 @@ export function constantsOf(tree: Tree, text: string): Constant[] {
   return found;
 }
 
+/**
+ * The program with other values for some of its constants. Throws a RangeError that names the first
+ * it does not have. Where a name is given a number twice, the first is meant.
+ */
+export function withValues(
+  text: string,
+  constants: readonly Constant[],
+  values: Readonly<Record<string, number>>,
+): string {
+  const changes = Object.entries(values).map(([name, value]) => {
+    const found = constants.find((constant) => constant.name === name);
+    if (!found) throw new RangeError(`the program has no line "${name} = …" with a number`);
+    return { from: found.from, to: found.to, insert: writtenLike(found.text, value) };
+  });
+  // From the end, so that the places before stay where they are.
+  return changes
+    .sort((a, b) => b.from - a.from)
+    .reduce((done, { from, to, insert }) => done.slice(0, from) + insert + done.slice(to), text);
+}
+
 function constantAt(statement: SyntaxNode, text: string): Constant | null {
   if (statement.name !== "AssignStatement") return null;
   const target = statement.firstChild;

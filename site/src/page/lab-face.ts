@@ -4,6 +4,7 @@
  */
 import { html, nothing, type TemplateResult } from "lit";
 import type { Player } from "../player/player.ts";
+import type { Cell } from "../trace/frames.ts";
 import type { Trace } from "../trace/trace.ts";
 import { icons } from "../ui/icons.ts";
 import { editorWords, labWords } from "../ui/strings.ts";
@@ -27,8 +28,9 @@ export interface LabFace {
   player: Player;
   /** The run to compare the one on show with. */
   earlier: Trace | null;
-  /** Null where the world and the noise are not to be chosen. */
-  pickers: PickersInput | null;
+  /** Cells to point out on the overhead view. */
+  outlined: readonly Cell[];
+  pickers: PickersInput;
   status: StatusInput;
   /** Runs of one program with many seeds, and what to say of them. */
   runs: readonly Trace[];
@@ -42,11 +44,11 @@ export interface LabFace {
 }
 
 export function labFace(face: LabFace): TemplateResult {
-  const { label, player, earlier, runs } = face;
+  const { label, player, earlier, outlined, runs } = face;
   return html`<section class="lab" aria-label=${label || labWords.untitled}>
     <div class="lab-bar">
       ${label ? html`<h2 class="title">${label}</h2>` : nothing}
-      ${face.pickers ? pickers(face.pickers) : nothing}
+      ${pickers(face.pickers)}
       <lab-menu .groups=${face.menu}></lab-menu>
       ${actions(face)}
     </div>
@@ -60,6 +62,7 @@ export function labFace(face: LabFace): TemplateResult {
       <overhead-view
         .player=${player}
         .earlier=${earlier}
+        .outlined=${outlined}
         @keydown=${(event: KeyboardEvent) => playbackKey(event, player)}
       ></overhead-view>
       <chart-view .player=${player} .earlier=${earlier} .runs=${runs}></chart-view>

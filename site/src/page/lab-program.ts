@@ -64,9 +64,9 @@ export class LabProgram {
     this.#editor.replace(text);
   }
 
-  /** Another value for `NAME = number` at the top level, as one step; throws a RangeError if none. */
-  setConstant(name: string, value: number): void {
-    this.#editor.setConstant(name, value);
+  /** Other values for `NAME = number` at the top level, as one step; a RangeError if one is missing. */
+  setConstants(values: Readonly<Record<string, number>>): void {
+    this.#editor.setConstants(values);
   }
 
   /**

@@ -1,7 +1,7 @@
 /**
  * Which world, which noise, and how often. May import `trace` and `ui`.
  */
-import { html, type TemplateResult } from "lit";
+import { html, nothing, type TemplateResult } from "lit";
 import type { World } from "../trace/events.ts";
 import { noiseWords, repeatWords } from "../ui/noise-words.ts";
 import { pickerWords } from "../ui/strings.ts";
@@ -9,6 +9,7 @@ import { MOST_SEED, readSeed } from "./address.ts";
 import { TIMES } from "./repeat.ts";
 
 export interface PickersInput {
+  /** None where the world is not to be chosen. */
   worlds: readonly World[];
   world: string;
   seed: number;
@@ -43,15 +44,19 @@ export function pickers(input: PickersInput): TemplateResult {
     }
   };
   return html`<div class="lab-pickers">
-    <label>
-      <span>${pickerWords.world}</span>
-      <select .value=${world} @change=${onWorld}>
-        ${worlds.map(
-          ({ name, title }) =>
-            html`<option value=${name} ?selected=${name === world}>${title}</option>`,
-        )}
-      </select>
-    </label>
+    ${
+      worlds.length > 0
+        ? html`<label class="world">
+            <span>${pickerWords.world}</span>
+            <select .value=${world} @change=${onWorld}>
+              ${worlds.map(
+                ({ name, title }) =>
+                  html`<option value=${name} ?selected=${name === world}>${title}</option>`,
+              )}
+            </select>
+          </label>`
+        : nothing
+    }
     ${noise(input, onSeed)}
   </div>`;
 }

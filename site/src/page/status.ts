@@ -25,8 +25,8 @@ export interface StatusInput {
   reached: number;
   end: End | null;
   fault: Fault | null;
-  /** Something to say besides, with what can be done about it; goes with the next run or edit. */
-  note: Note | null;
+  /** What there is to say besides, with what can be done about it. */
+  notes: readonly Note[];
   /** What the runtime says of a run that is held up ("Loading NumPy… 40 %"). */
   runNote: string | null;
   /** How far a series of runs is, or null. */
@@ -55,7 +55,7 @@ export function status(input: StatusInput): TemplateResult {
   return html`<div class="lab-status" data-tone=${tone}>
     <p role="status" aria-label=${statusWords.label}>
       <span class="dot" aria-hidden="true"></span><span>${text}</span>
-      ${input.note ? html`<span class="note">${input.note.text}</span>` : nothing}
+      ${input.notes.map(({ text }) => html`<span class="note">${text}</span>`)}
     </p>
     ${actions(input).map(
       ({ label, act }) => html`<button type="button" @click=${act}>${label}</button>`,
@@ -77,12 +77,12 @@ function bar({ runtime, series }: StatusInput): TemplateResult | typeof nothing 
 }
 
 function actions(input: StatusInput): Action[] {
-  const { runtime, fault, note, series, onRetry, onLine, onCancel } = input;
+  const { runtime, fault, notes, series, onRetry, onLine, onCancel } = input;
   const list: Action[] = [];
   if (series) list.push({ label: repeatWords.cancel, act: onCancel });
   const line = fault?.line;
   if (line) list.push({ label: statusWords.goTo(line), act: () => onLine(line) });
-  if (note?.action) list.push(note.action);
+  for (const { action } of notes) if (action) list.push(action);
   if (runtime.state === "failed") list.push({ label: labWords.retry, act: onRetry });
   return list;
 }

@@ -1,5 +1,6 @@
 /**
- * The words of the noise: which seed a run has, and many runs of one program. Imports nothing of ours.
+ * The words of the noise: which seed a run has, many runs of one program, and runs from elsewhere.
+ * Imports nothing of ours.
  */
 
 export const noiseWords = {
@@ -7,6 +8,11 @@ export const noiseWords = {
   help: "The same seed gives the same sensor noise, so the same run.",
   same: "Same noise",
   fresh: "New noise",
+};
+
+/** Of a run that the page shows in a lab that did not make it. */
+export const guestWords = {
+  back: "Back to your run",
 };
 
 export const repeatWords = {
