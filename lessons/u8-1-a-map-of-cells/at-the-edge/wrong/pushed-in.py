@@ -1,0 +1,42 @@
+# earns: pushed back to the edge
+# At the edge
+#
+# Write index_of. The program then draws some points as red dots, and colours the cell
+# that index_of gives for each. The dots beyond the mat must get no cell.
+
+from bugbot import *
+import math
+
+CELL = 10  # cm per cell
+ACROSS = 20  # cells in a row, and in a column
+
+
+def cell_of(x, y):
+    """The column and the row of the cell that holds the point (x, y), in cm."""
+    return math.floor(x / CELL), math.floor(y / CELL)
+
+
+def index_of(x, y):
+    """The place in the list of the cell that holds (x, y); None beyond the mat."""
+    column, row = cell_of(x, y)
+    column = max(0, min(ACROSS - 1, column))
+    row = max(0, min(ACROSS - 1, row))
+    index = row * ACROSS + column
+    return index
+
+
+# From here on the program only shows what index_of does.
+POINTS = [(105, 105), (3, 64), (195, 5), (120, 195), (207, 44), (60, 204), (-4, 150), (150, -6)]
+grid = ["bare"] * (ACROSS * ACROSS)
+
+draw("points", POINTS, "red", "dots", 3)
+for x, y in POINTS:
+    index = index_of(x, y)
+    print(f"point ({x}, {y}): {index}")
+    if index is not None:
+        grid[index] = "marked"
+    wait(0.5)
+    marked = [i for i in range(len(grid)) if grid[i] == "marked"]
+    middles = [((i % ACROSS + 0.5) * CELL, (i // ACROSS + 0.5) * CELL) for i in marked]
+    draw("cells", middles, "#9ecae1", "squares", CELL)
+    draw("points", POINTS, "red", "dots", 3)

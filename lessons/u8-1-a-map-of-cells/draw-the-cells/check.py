@@ -1,0 +1,124 @@
+"""The layer "visited": every cell of 5 cm the robot has been in, and no other."""
+
+from itertools import pairwise
+from math import cos, floor, radians, sin
+
+from grader import check
+
+CELL = 5
+
+
+def cell(x, y):
+    return floor(x / CELL), floor(y / CELL)
+
+
+def middle(column, row):
+    return (column + 0.5) * CELL, (row + 0.5) * CELL
+
+
+def been_in(path):
+    """The cells of a path, each with the seconds that the robot spent there."""
+    seconds = {}
+    for (t0, x0, y0, _), (t1, x1, y1, _) in pairwise(path):
+        here = cell(x0, y0)
+        seconds.setdefault(here, 0.0)
+        if here == cell(x1, y1):
+            seconds[here] += t1 - t0
+    return seconds
+
+
+def drawn(run):
+    return {(round(x, 3), round(y, 3)) for x, y in run.layer("visited")}
+
+
+def looks_like(run, path, place=middle):
+    """Whether the cells of this path, drawn by `place`, are what was drawn (but for a few)."""
+    ought, is_drawn = {place(*each) for each in been_in(path)}, drawn(run)
+    return len(ought) > 4 and len(ought ^ is_drawn) <= 0.1 * len(ought)
+
+
+def without_start(path):
+    """The path as position() gives it, where that happens to be a place on the mat."""
+    moved = [(t, x - 100, y - 100, heading) for t, x, y, heading in path]
+    return [place for place in moved if place[1] >= 0 and place[2] >= 0]
+
+
+def as_planned():
+    """The path if nothing had stood in the way: a circle, 18 degrees a second."""
+    radius = 0.70 * 11.5 / radians(18)
+    angles = [(t / 25, radians(18 * t / 25)) for t in range(501)]
+    return [(t, 100 + radius * (1 - cos(a)), 100 + radius * sin(a), 0) for t, a in angles]
+
+
+SLIPS = [
+    (
+        "show draws nothing yet: middles is still empty at the end",
+        lambda run: not drawn(run),
+        2,
+    ),
+    (
+        "only the cell the robot is in now is drawn: earlier ones must stay marked",
+        lambda run: drawn(run) == {middle(*cell(*run.path[-1][1:3]))},
+        0,
+    ),
+    (
+        "START was not added: position() counts from where the robot started, not from the corner "
+        "of the mat",
+        lambda run: looks_like(run, without_start(run.path)),
+        1,
+    ),
+    (
+        "drawn at the lower left corner of each cell: squares are placed by their middle",
+        lambda run: looks_like(run, run.path, lambda column, row: (column * CELL, row * CELL)),
+        2,
+    ),
+    (
+        "column and row look swapped: column is index % ACROSS, row is index // ACROSS",
+        lambda run: looks_like(run, run.path, lambda column, row: middle(row, column)),
+        2,
+    ),
+    (
+        "that is where the robot should be if nothing stood in its way: ask position() instead",
+        lambda run: looks_like(run, as_planned()),
+        0,
+    ),
+]
+
+
+def compare(task, world):
+    run = task.run(world, seed=1, seconds=60, mistakes=SLIPS)
+    seconds = been_in(run.path)
+    long_enough = [each for each in seconds if seconds[each] > 0.25]
+    missing = [each for each in long_enough if middle(*each) not in drawn(run)]
+    extra = drawn(run) - {middle(*each) for each in seconds}
+    task.expect(
+        not missing,
+        expected=f"the {len(long_enough)} cells where the robot has been for a while, all drawn",
+        got=f"{len(missing)} of them are missing",
+        run=run,
+        cells=missing,
+        cell_cm=CELL,
+    )
+    task.expect(
+        not extra,
+        expected="no cell drawn where the robot has not been",
+        got=f"{len(extra)} such cells",
+        run=run,
+        cells=[cell(x, y) for x, y in sorted(extra)],
+        cell_cm=CELL,
+    )
+
+
+@check("The robot drives in a circle", hint=0)
+def circle(task):
+    compare(task, "empty")
+
+
+@check("Something stands in its way", hint=0)
+def stopped(task):
+    compare(task, "in-the-way")
+
+
+@check("A wall above its circle", hint=1)
+def wall(task):
+    compare(task, "round-the-corner")

@@ -1,0 +1,32 @@
+# earns: beyond the mat were kept
+# Many points at once
+#
+# Write cells_of with NumPy and without a loop. The program scatters points on the
+# mat and round it, and colours the cells that cells_of gives.
+
+from bugbot import *
+import numpy as np
+
+CELL = 10  # cm per cell
+ACROSS = 20  # cells in a row, and in a column
+
+
+def cells_of(points):
+    """The cells of those points that lie on the mat: an array of rows (column, row).
+
+    points: a list of (x, y) in cm
+    """
+    points = np.array(points, dtype=float)  # one row for each point: x and y
+    cells = np.floor(points / CELL).astype(int)
+    return cells
+
+
+# From here on the program only shows what cells_of does.
+rng = np.random.default_rng(1)
+scattered = rng.uniform(-15, 215, size=(40, 2)).round(1)
+
+cells = cells_of(scattered.tolist())
+draw("cells", ((np.array(cells) + 0.5) * CELL).tolist(), "#9ecae1", "squares", CELL)
+draw("points", scattered.tolist(), "red", "dots", 3)
+print("points:", len(scattered))
+print("cells of points on the mat:", len(cells))

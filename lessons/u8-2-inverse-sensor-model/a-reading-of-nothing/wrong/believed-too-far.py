@@ -1,0 +1,68 @@
+# earns: free further than FAR
+# A reading of nothing
+#
+# At present beam_says takes every reading for a wall, so there is a wall across the
+# bare mat. Mend it: a reading of FAR or more is no wall.
+
+from bugbot import *
+import math
+
+CELL = 5  # cm per cell
+ACROSS = 40  # cells in a row, and in a column
+FAR = 170  # a reading this long or longer is no wall, in cm
+START = (35, 35)  # where the robot starts on the mat
+
+
+def end_of_beam(x, y, angle, length):
+    """The point that lies so many cm from (x, y), at an angle clockwise from up the mat."""
+    direction = math.radians(angle)
+    return x + length * math.sin(direction), y + length * math.cos(direction)
+
+
+def cell_of(x, y):
+    """The (column, row) of the cell that holds a point; None beyond the mat."""
+    column = math.floor(x / CELL)
+    row = math.floor(y / CELL)
+    if 0 <= column < ACROSS and 0 <= row < ACROSS:
+        return column, row
+    return None
+
+
+def cells_along(x, y, angle, length):
+    """The cells on the mat at each half-cell step from (x, y), for this length in cm."""
+    steps = [end_of_beam(x, y, angle, i * CELL / 2) for i in range(int(length / (CELL / 2)))]
+    return [cell_of(*point) for point in steps if cell_of(*point) is not None]
+
+
+def beam_says(x, y, angle, reading):
+    """What one reading says: the list of free cells, and the cell that was hit or None."""
+    if reading < FAR:
+        free = cells_along(x, y, angle, reading - CELL)
+        hit = cell_of(*end_of_beam(x, y, angle, reading))
+    else:
+        free = cells_along(x, y, angle, reading)
+        hit = None
+    return free, hit
+
+
+# From here on the program only shows what beam_says does.
+all_free, all_hit = set(), set()
+
+
+def show(name, cells, colour):
+    middles = [((column + 0.5) * CELL, (row + 0.5) * CELL) for column, row in sorted(cells)]
+    draw(name, middles, colour, "squares", CELL)
+
+
+turn(-45)  # to face straight up the mat
+for look in range(7):
+    for angle, reading in scan():
+        free, hit = beam_says(*START, heading() + angle, reading)
+        all_free.update(free)
+        if hit is not None:
+            all_hit.add(hit)
+    show("free", all_free, "#9ecae1")
+    show("hit", all_hit, "black")
+    wait(0.5)
+    turn(15)
+print("cells free:", len(all_free), "cells hit:", len(all_hit))

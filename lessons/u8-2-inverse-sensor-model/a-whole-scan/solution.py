@@ -1,0 +1,65 @@
+# A whole scan
+#
+# The robot looks round from two places. At present look uses one reading only, the
+# one straight ahead. Let it use the whole scan.
+
+from bugbot import *
+import math
+
+CELL = 5  # cm per cell
+ACROSS = 40  # cells in a row, and in a column
+FAR = 170  # a reading this long or longer is no wall, in cm
+START = (100, 100)  # where the robot starts on the mat; position() counts from there
+
+free = set()  # every cell that any beam passed
+hits = set()  # every cell where any beam ended
+
+
+def cell_at(x, y, angle, length):
+    """The cell so many cm from (x, y), at an angle clockwise from up the mat; None beyond it."""
+    direction = math.radians(angle)
+    column = math.floor((x + length * math.sin(direction)) / CELL)
+    row = math.floor((y + length * math.cos(direction)) / CELL)
+    if 0 <= column < ACROSS and 0 <= row < ACROSS:
+        return column, row
+    return None
+
+
+def beam_says(x, y, angle, reading):
+    """What one reading says: the set of free cells, and the cell that was hit or None."""
+    clear = reading - CELL if reading < FAR else FAR
+    passed = {cell_at(x, y, angle, i * CELL / 2) for i in range(int(clear / (CELL / 2)))}
+    hit = cell_at(x, y, angle, reading) if reading < FAR else None
+    return passed - {None}, hit
+
+
+def look():
+    """Add what the robot sees from where it is now to free and to hits."""
+    x = START[0] + position()[0]
+    y = START[1] + position()[1]
+    for angle, reading in scan():
+        passed, hit = beam_says(x, y, heading() + angle, reading)
+        free.update(passed)
+        if hit is not None:
+            hits.add(hit)
+
+
+def show():
+    """Draw the cells. A cell that was both passed and hit is drawn as hit."""
+    for name, cells, colour in [("free", free - hits, "#9ecae1"), ("hit", hits, "black")]:
+        middles = [((column + 0.5) * CELL, (row + 0.5) * CELL) for column, row in sorted(cells)]
+        draw(name, middles, colour, "squares", CELL)
+
+
+def look_round():
+    """Look in nine directions, 40 degrees apart."""
+    for direction in range(9):
+        look()
+        show()
+        turn(40, speed=50)
+
+
+look_round()
+forward(80, distance=30)
+look_round()
+print("cells free:", len(free - hits), "cells hit:", len(hits))

@@ -1,0 +1,137 @@
+"""line_of_cells(first, last): Bresenham's line. Only lines without a tie are asked for."""
+
+from grader import check, function
+from mapping.beam import bresenham
+
+
+def by_columns(first, last):
+    """A cell in each column only: right for lines that are not steep."""
+    (c0, r0), (c1, r1) = first, last
+    wide, right = abs(c1 - c0), 1 if c1 > c0 else -1
+    return [first] + [
+        (c0 + right * step, r0 + round(step * (r1 - r0) / wide)) for step in range(1, wide + 1)
+    ]
+
+
+def diagonal_first(first, last):
+    column, row = first
+    cells = [(column, row)]
+    while (column, row) != tuple(last):
+        column += (last[0] > column) - (last[0] < column)
+        row += (last[1] > row) - (last[1] < row)
+        cells.append((column, row))
+    return cells
+
+
+def rounded_down(first, last):
+    """As if the line went sideways only after a whole cell, instead of half a cell."""
+    (c0, r0), (c1, r1) = first, last
+    wide, high = abs(c1 - c0), abs(r1 - r0)
+    right, up, longer = (1 if c1 > c0 else -1), (1 if r1 > r0 else -1), max(wide, high)
+    return [
+        (c0 + right * (step * wide // longer), r0 + up * (step * high // longer))
+        for step in range(longer + 1)
+    ]
+
+
+def no_diagonals(first, last):
+    """With a cell put in at each corner, along the longer side."""
+    cells = [tuple(first)]
+    wide = abs(last[0] - first[0]) >= abs(last[1] - first[1])
+    for column, row in bresenham(first, last)[1:]:
+        before = cells[-1]
+        if before[0] != column and before[1] != row:
+            cells.append((column, before[1]) if wide else (before[0], row))
+        cells.append((column, row))
+    return cells
+
+
+def mirrored(first, last, right, up):
+    """The line to where a program that only goes `right` or `up` would arrive."""
+    c = first[0] + abs(last[0] - first[0]) if right else last[0]
+    r = first[1] + abs(last[1] - first[1]) if up else last[1]
+    return bresenham(first, (c, r))
+
+
+line_of_cells = function(
+    "line_of_cells(first, last)",
+    bresenham,
+    cell_cm=5,
+    mistakes=[
+        (
+            "the last cell is missing: a line of 4 steps has 5 cells",
+            lambda first, last: bresenham(first, last)[:-1],
+            0,
+        ),
+        (
+            "steep lines have gaps: where a line is higher than wide, go row by row",
+            by_columns,
+            0,
+        ),
+        (
+            "only lines to the right come out: if last is further left, the columns count down",
+            lambda first, last: mirrored(first, last, True, False),
+            0,
+        ),
+        (
+            "only lines upwards come out: if last is further down, the rows count down",
+            lambda first, last: mirrored(first, last, False, True),
+            0,
+        ),
+        (
+            "sideways too late: go sideways once the line is more than half a cell off, not a "
+            "whole one",
+            rounded_down,
+            1,
+        ),
+        (
+            "first diagonally, then straight: the steps sideways should be spread along the line",
+            diagonal_first,
+            1,
+        ),
+        (
+            "never diagonally: going sideways belongs to the same step, so append one cell a step",
+            no_diagonals,
+            2,
+        ),
+    ],
+)
+
+
+@check("Straight lines", hint=0)
+def straight(task):
+    task.call(line_of_cells, (2, 3), (6, 3), gives=[(2, 3), (3, 3), (4, 3), (5, 3), (6, 3)])
+    task.call(line_of_cells, (4, 2), (4, 5), gives=[(4, 2), (4, 3), (4, 4), (4, 5)])
+
+
+@check("A gentle line", hint=1)
+def gentle(task):
+    task.call(line_of_cells, (0, 0), (3, 1), gives=[(0, 0), (1, 0), (2, 1), (3, 1)])
+    task.call(line_of_cells, (0, 0), (5, 2), gives=[(0, 0), (1, 0), (2, 1), (3, 1), (4, 2), (5, 2)])
+
+
+@check("A steep line", hint=0)
+def steep(task):
+    task.call(line_of_cells, (0, 0), (1, 3), gives=[(0, 0), (0, 1), (1, 2), (1, 3)])
+
+
+@check("Lines to the left and downwards", hint=0)
+def left_and_down(task):
+    task.call(line_of_cells, (10, 10), (3, 13))
+    task.call(line_of_cells, (10, 10), (7, 3))
+    task.call(line_of_cells, (10, 10), (15, 7))
+
+
+@check("One cell", hint=0)
+def one(task):
+    task.call(line_of_cells, (7, 7), (7, 7), gives=[(7, 7)])
+
+
+@check("Many lines", hint=2)
+def many(task):
+    for _ in range(30):
+        longer = task.random.randrange(1, 25, 2)  # odd, so that no cell is a tie
+        shorter = task.random.randint(0, longer)
+        wide, high = (longer, shorter) if task.random.random() < 0.5 else (shorter, longer)
+        wide, high = wide * task.random.choice((-1, 1)), high * task.random.choice((-1, 1))
+        task.call(line_of_cells, (20, 20), (20 + wide, 20 + high))

@@ -1,0 +1,31 @@
+# Bresenham's line
+#
+# Write line_of_cells with whole numbers only. The program draws lines from the middle of
+# the mat in many directions.
+
+from bugbot import *
+
+CELL = 5  # cm per cell
+
+
+def line_of_cells(first, last):
+    """The cells of a line from one cell to another, both included, in order: a list."""
+    column, row = first
+    cells = [(column, row)]
+    # ---- your part: at present the line is its two ends ----
+    cells.append(last)
+    # ---- end of your part ----
+    return cells
+
+
+# From here on the program only shows what line_of_cells does.
+MIDDLE = (20, 20)
+LASTS = [(33, 24), (25, 37), (14, 33), (5, 26), (3, 11), (17, 1), (27, 9), (36, 13), (20, 38)]
+
+drawn = []
+for last in LASTS:
+    cells = line_of_cells(MIDDLE, last)
+    drawn += [((column + 0.5) * CELL, (row + 0.5) * CELL) for column, row in cells]
+    draw("lines", drawn, "#9ecae1", "squares", CELL)
+    print(f"from {MIDDLE} to {last}: {len(cells)} cells")
+    wait(0.5)

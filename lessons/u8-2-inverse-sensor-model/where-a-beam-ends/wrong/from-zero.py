@@ -1,0 +1,40 @@
+# earns: where the beam began was left out
+# Where a beam ends
+#
+# Write end_of_beam. The robot turns in four steps and looks after each. A line goes out
+# to every point that end_of_beam gives: those points should lie along the wall.
+
+from bugbot import *
+import math
+
+START = (100, 40)  # where the robot starts on the mat; position() counts from there
+
+
+def end_of_beam(x, y, angle, reading):
+    """The point, in cm on the mat, where a beam ended that began at (x, y).
+
+    angle: degrees clockwise from straight up the mat
+    reading: how far the beam went, in cm
+    """
+    direction = math.radians(angle)
+    end_x = reading * math.sin(direction)
+    end_y = reading * math.cos(direction)
+    return end_x, end_y
+
+
+# From here on the program only shows what end_of_beam does.
+ends = []
+turn(-30)
+for look in range(4):
+    x = START[0] + position()[0]
+    y = START[1] + position()[1]
+    beams = []
+    for angle, reading in scan():
+        end = end_of_beam(x, y, heading() + angle, reading)
+        beams += [(x, y), end]
+        ends.append(end)
+    draw("beams", beams, "orange", "line", 0.5)
+    draw("ends", ends, "red", "dots", 2)
+    wait(0.5)
+    turn(20)
+print("the last beam ended at", ends[-1])
