@@ -2,6 +2,7 @@
  * The one place that wires the rooms together: what the build knows, Python, and the elements.
  */
 import { api, readyPrograms, worlds } from "virtual:bugbot";
+import { startFigures } from "./figures/start.ts";
 import { showHome } from "./page/home.ts";
 import { showThemeSwitch } from "./page/theme-switch.ts";
 import { whenWanted } from "./page/when-wanted.ts";
@@ -16,14 +17,17 @@ type World = (typeof worlds)[number];
 const worldsInOrder = [...worlds].sort((a, b) => placeOf(a) - placeOf(b));
 showHome(worldsInOrder);
 
+startFigures(document);
+
 // The editor is the largest part of the site: pages without a lab do without it.
 if (document.querySelector("bugbot-lab")) await startLabs();
 
 async function startLabs(): Promise<void> {
-  const [{ BugbotLab, defineLab }, { showLabPage }, { ProgramStore }, { Runtime }] =
+  const [{ BugbotLab, defineLab }, { showLabPage }, { startTries }, { ProgramStore }, { Runtime }] =
     await Promise.all([
       import("./page/lab.ts"),
       import("./page/lab-page.ts"),
+      import("./page/try.ts"),
       import("./page/storage.ts"),
       import("./runtime/client.ts"),
     ]);
@@ -35,6 +39,7 @@ async function startLabs(): Promise<void> {
   defineLab({ runtime, worlds: worldsInOrder, readyPrograms, calls: api, store, labAddress });
   const lab = document.querySelector(".lab-page bugbot-lab");
   if (lab instanceof BugbotLab) showLabPage(lab, worldsInOrder);
+  startTries(document);
   whenWanted([...document.querySelectorAll("bugbot-lab")], () => runtime.warm());
 }
 

@@ -15,8 +15,9 @@ const MAY_IMPORT: Record<string, string[]> = {
   worker: ["runtime/messages.ts"],
   views: ["trace", "player", "ui"],
   editor: ["ui"],
+  figures: ["ui", "trace/frames.ts"],
   page: ["trace", "ui", "player", "runtime", "views", "editor"],
-  "main.ts": ["page", "runtime", "ui"],
+  "main.ts": ["page", "figures", "runtime", "ui"],
 };
 
 /** What the file's imports name, relative to site/src, without packages and virtual modules. */

@@ -188,6 +188,22 @@ export class LabRuns extends EventTarget {
     this.player.seek(time);
   }
 
+  /** Compares the run on show with another one than the run before it. */
+  compareWith(earlier: Trace | null): void {
+    this.#earlier = earlier;
+    this.dispatchEvent(new Event("change"));
+  }
+
+  /** Shows the end of a run made before, beside what it was compared with; no run if it is null. */
+  restore(trace: Trace | null, earlier: Trace | null): void {
+    if (!trace) {
+      this.clear(this.#empty);
+      return;
+    }
+    this.#showEnd(trace);
+    this.compareWith(earlier);
+  }
+
   /** Forgets every run; this is the world before any. */
   clear(empty: Trace): void {
     this.#guest = null;

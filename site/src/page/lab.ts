@@ -3,14 +3,18 @@
  *
  * Attributes: `world` and `seed`; `program`, the text to start from; `label`, the lab's title;
  * `pickers`, to let the world be chosen. Properties: `world`, `seed`, and `program`, the text in
- * the editor now. `await run()` gives the outcome; `stop()`; `seek(seconds)`.
- * Fires `place-change` when the world or the seed has been chosen here.
+ * the editor now. `await run()` gives the outcome; `await try({NAME: number})` runs an experiment;
+ * `stop()`; `seek(seconds)`.
+ * Fires `place-change` when the world or the seed has been chosen here, and `program-change`
+ * (which bubbles) when the program in the editor has changed.
  *
  * The element is the desk where the parts meet: `lab-program` (what is written), `lab-runs` (what
- * is run and shown), `lab-place` (where), `lab-files` (what is kept and shared), `lab-face` (what it looks like).
+ * is run and shown), `lab-try` (experiments), `lab-place` (where), `lab-files` (what is kept and
+ * shared), `lab-face` (what it looks like).
  * May import every room of the site but `worker`.
  */
 import { LitElement, type PropertyValues, type TemplateResult } from "lit";
+import type { RunRequest } from "../runtime/client.ts";
 import type { Outcome } from "../trace/events.ts";
 import { writeTraceFile } from "../trace/file.ts";
 import { outcomeOf } from "../trace/outcome.ts";
@@ -25,6 +29,7 @@ import { LabFiles } from "./lab-files.ts";
 import { LabPlace } from "./lab-place.ts";
 import { LabProgram } from "./lab-program.ts";
 import { type GuestOptions, LabRuns } from "./lab-runs.ts";
+import { Experiment, type Values } from "./lab-try.ts";
 import { fitForPaper } from "./print.ts";
 import type { Services } from "./services.ts";
 import type { Note, StatusInput } from "./status.ts";
@@ -46,6 +51,7 @@ export class BugbotLab extends LitElement {
   readonly #services: Services;
   readonly #place: LabPlace;
   readonly #runs: LabRuns;
+  readonly #experiment: Experiment;
   #program: LabProgram | null = null;
   #files: LabFiles | null = null;
   /** Set before there is an editor to hold it. */
@@ -67,7 +73,7 @@ export class BugbotLab extends LitElement {
     this.#runs = new LabRuns({
       runtime: services.runtime,
       empty: emptyTrace(this.#place.world),
-      request: () => ({ program: this.program, world: this.#place.world, seed: this.seed }),
+      request: () => this.#request,
       onShow: (trace) => this.#program?.shows(trace.header.program),
       onPlay: () => this.querySelector<LabTransport>("lab-transport")?.begin(),
       onFault: (line, message) => this.#program?.showFault(line, message),
@@ -76,6 +82,18 @@ export class BugbotLab extends LitElement {
         this.#place.choose({ seed });
         this.say({ text: repeatWords.stopped(seed) });
       },
+    });
+    this.#experiment = new Experiment({
+      request: () => this.#request,
+      replace: (program) => this.#program?.replace(program),
+      reset: () => this.#files?.reset(),
+      run: () => this.#begin(),
+      runAside: (request) => services.runtime.run(request),
+      shown: () => this.#runs,
+      compareWith: (earlier) => this.#runs.compareWith(earlier),
+      restore: (trace, earlier) => this.#runs.restore(trace, earlier),
+      say: (note) => this.say(note),
+      focusStatus: () => this.focusStatus(),
     });
     this.#runs.addEventListener("change", () => this.requestUpdate());
     this.#runs.player.addEventListener("change", () => this.#follow());
@@ -101,10 +119,24 @@ export class BugbotLab extends LitElement {
   /** Runs the program and resolves to the outcome, however the run ends. */
   async run(): Promise<Outcome> {
     await this.updateComplete;
+    return outcomeOf(await this.#begin());
+  }
+
+  #begin(): Promise<Trace> {
     this.say(null);
     this.#place.begin();
     this.#program?.putAside();
-    return outcomeOf(await this.#runs.run());
+    return this.#runs.run();
+  }
+
+  /**
+   * Sets constants of the program and runs it, beside the run without them, and offers to undo it.
+   * Resolves to the outcome; to null, with nothing changed, if the program lacks one of them.
+   */
+  async try(values: Values): Promise<Outcome | null> {
+    await this.updateComplete;
+    const trace = await this.#experiment.begin(values);
+    return trace && outcomeOf(trace);
   }
 
   /** Another value for `NAME = number` in the program, one step for undo; a RangeError if none. */
@@ -157,6 +189,13 @@ export class BugbotLab extends LitElement {
     this.requestUpdate();
   }
 
+  /** Puts the focus where the lab says what has happened, without scrolling there. */
+  focusStatus(): void {
+    const status = this.#part(".lab-status p");
+    status.tabIndex = -1;
+    status.focus({ preventScroll: true });
+  }
+
   /** Shows a program that came in a link; it replaces the one here only if the reader says so. */
   async offerShared(program: string): Promise<void> {
     await this.updateComplete;
@@ -194,7 +233,10 @@ export class BugbotLab extends LitElement {
       describedBy: this.#hintId,
       calls,
       store,
-      onEdit: () => this.say(null),
+      onEdit: () => {
+        this.say(null);
+        this.dispatchEvent(new Event("program-change", { bubbles: true }));
+      },
       onRun: () => void this.run(),
       onNumber: (event) => this.#runs.follow(event),
       // What can be undone at the moment matters more.
@@ -220,6 +262,10 @@ export class BugbotLab extends LitElement {
     const text = this.#program.text;
     this.#open();
     this.#offer(before, text);
+  }
+
+  get #request(): RunRequest {
+    return { program: this.program, world: this.#place.world, seed: this.seed };
   }
 
   get #hintId(): string {
