@@ -57,17 +57,17 @@ def _about_the_run(link: Link) -> Iterator[str]:
 
 
 def _about_the_text(tree: ast.Module) -> Iterator[str]:
+    nodes = list(ast.walk(tree))
     in_degrees = {"heading"}
     """Calls and names that stand for degrees."""
-    for node in ast.walk(tree):
+    covered = set()
+    """Names that the program has given a meaning of its own."""
+    for node in nodes:
         if isinstance(node, ast.Assign) and _is_call(node.value, "heading"):
             in_degrees.update(each.id for each in node.targets if isinstance(each, ast.Name))
-    covered = {
-        node.id
-        for node in ast.walk(tree)
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)
-    }
-    for node in ast.walk(tree):
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            covered.add(node.id)
+    for node in nodes:
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Name):
             name = node.value.id
             if name in CALLS and name not in covered:
