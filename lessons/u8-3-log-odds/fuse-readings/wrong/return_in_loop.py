@@ -1,0 +1,43 @@
+# earns: only the first reading counts
+# Fuse a list of readings
+#
+# Each reading is a probability: how likely this one reading makes it that something
+# stands in the cell. The chart shows what your function makes of the first reading, of
+# the first two, the first three...
+
+from bugbot import *
+import math
+
+
+def log_odds(p):
+    """The log odds of a probability p, which is above 0 and below 1."""
+    return math.log(p / (1 - p))
+
+
+def probability(l):
+    """The probability that belongs to the log odds l."""
+    return 1 / (1 + math.exp(-l))
+
+
+# ==== Your part ====
+def fuse(readings):
+    """The probability that the cell is occupied, after all the readings in the list."""
+    l = 0.0
+    for p in readings:
+        l += log_odds(p)
+        return probability(l)
+    return 0.5
+
+
+# ==== End of your part ====
+
+READINGS = [0.7, 0.7, 0.4, 0.7, 0.4, 0.4, 0.4, 0.7, 0.7, 0.7]
+
+for n in range(len(READINGS) + 1):
+    p = fuse(READINGS[:n])
+    plot("fused", p)
+    if n > 0:
+        plot("this reading", READINGS[n - 1])
+    draw("how likely", [(100, 100 * p)], "black", "squares", max(1, 200 * p))
+    print(f"after {n} readings: {p}")
+    wait(1)

@@ -1,0 +1,71 @@
+# earns: row and column look swapped
+# A map from one spot
+#
+# The robot turns on the spot in a corner of the mat. Write the whole mapper. Most of
+# it you have written already: bring it here from the tasks before.
+
+from bugbot import *
+import math
+
+L_OCC = 0.85  # the evidence of a hit
+L_FREE = -0.4  # the evidence of each half-cell step of a pass
+L_MAX = 8  # the clamp
+KNOWN = 1  # log odds beyond this, either way, count as known
+
+CELL = 5  # cm per cell
+ACROSS = 40  # cells in a row
+FAR = 170  # no wall is marked from a reading this long or longer [cm]
+START = (35, 35)  # where the robot starts on the mat; position() counts from there
+log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom
+
+
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
+
+
+# ==== Your part ====
+def add_beam(x, y, angle, reading):
+    """Add what one beam says to log_odds."""
+    dx = math.sin(math.radians(angle))
+    dy = math.cos(math.radians(angle))
+    step = CELL / 2
+    clear = reading - CELL if reading < FAR else FAR
+    evidence = [(i * step, L_FREE) for i in range(int(clear / step))]
+    if reading < FAR:
+        evidence.append((reading, L_OCC))
+    for along, weight in evidence:
+        column = math.floor((x + along * dx) / CELL)
+        row = math.floor((y + along * dy) / CELL)
+        if 0 <= column < ACROSS and 0 <= row < ACROSS:
+            cell = column * ACROSS + row
+            log_odds[cell] = max(-L_MAX, min(L_MAX, log_odds[cell] + weight))
+
+
+def look():
+    """Take one scan, and add its beams to the map from where the robot is now."""
+    x, y = START[0] + position()[0], START[1] + position()[1]
+    for angle, reading in scan():
+        add_beam(x, y, heading() + angle, reading)
+
+
+def show():
+    """Draw the map in two layers, and plot how much of the mat is known."""
+    cells = range(len(log_odds))
+    free = [centre(cell) for cell in cells if log_odds[cell] < -KNOWN]
+    occupied = [centre(cell) for cell in cells if log_odds[cell] > KNOWN]
+    draw("free", free, "#9ecae1", "squares", CELL)
+    draw("occupied", occupied, "black", "squares", CELL)
+    plot("known %", 100 * (len(free) + len(occupied)) / len(log_odds))
+
+
+# ==== End of your part ====
+
+right(30)  # 36 degrees a second
+for tick in range(130):  # 13 seconds
+    look()
+    if tick % 5 == 0:
+        show()
+    wait(0.1)
+stop()
+show()

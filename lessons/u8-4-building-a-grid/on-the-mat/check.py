@@ -1,0 +1,114 @@
+"""The trail and the dots where beams ended, held against the run's own scans."""
+
+from math import cos, hypot, radians, sin
+
+from grader import check
+
+
+def pose(run, scan):
+    return scan.x, scan.y, scan.heading
+
+
+def trail(run, seen_as=pose):
+    return [seen_as(run, scan)[:2] for scan in run.scans]
+
+
+def walls(run, seen_as=pose, turned=radians, far=170):
+    dots = []
+    for scan in run.scans:
+        x, y, facing = seen_as(run, scan)
+        for angle, reading in scan.beams:
+            if reading < far:
+                way = turned(facing + angle)
+                dots.append((x + reading * sin(way), y + reading * cos(way)))
+    return dots
+
+
+def alike(dots, others):
+    return len(dots) == len(others) and all(
+        hypot(a[0] - b[0], a[1] - b[1]) < 0.1 for a, b in zip(dots, others)
+    )
+
+
+def slip(said, hint, **how):
+    """A slip that shows in the dots: how they would come out."""
+    return (said, lambda run: alike(run.layer("walls"), walls(run, **how)), hint)
+
+
+SLIPS = [
+    (
+        "no time passes, so the robot never moves: the loop needs its wait(0.1)",
+        lambda run: run.seconds < 1,
+        2,
+    ),
+    slip(
+        "position() is from where the robot started: add START to get the place on the mat",
+        0,
+        seen_as=lambda run, scan: (scan.x - run.start.x, scan.y - run.start.y, scan.heading),
+    ),
+    slip(
+        "the pose is that of the start, not of now: ask position() each time",
+        0,
+        seen_as=lambda run, scan: (run.start.x, run.start.y, scan.heading),
+    ),
+    slip(
+        "the pose is that of the start, not of now: ask position() and heading() each time",
+        0,
+        seen_as=lambda run, scan: (run.start.x, run.start.y, run.start.heading),
+    ),
+    slip(
+        "the heading is left out: a beam's direction is heading() + angle",
+        1,
+        seen_as=lambda run, scan: (scan.x, scan.y, 0),
+    ),
+    slip(
+        "sine and cosine look swapped: x goes by sine and y by cosine",
+        2,
+        turned=lambda angle: radians(90 - angle),
+    ),
+    slip(
+        "degrees look taken for radians: math.sin() and math.cos() want math.radians()",
+        2,
+        turned=lambda angle: angle,
+    ),
+    slip("the maximum is taken for a wall: a reading of FAR or more gets no dot", 2, far=1000),
+    slip(
+        "x and y look swapped: position() gives x first",
+        0,
+        seen_as=lambda run, scan: (
+            run.start.x + scan.y - run.start.y,
+            run.start.y + scan.x - run.start.x,
+            scan.heading,
+        ),
+    ),
+]
+
+
+def dots_fit(task, world, seed):
+    run = task.run(world, seed=seed, seconds=30, mistakes=SLIPS)
+    run.scanned(at_least=80)
+    for name, wanted in (("trail", trail(run)), ("walls", walls(run))):
+        dots = run.layer(name)
+        task.expect(
+            len(dots) == len(wanted),
+            expected=f"{len(wanted)} points in the layer {name!r}",
+            got=f"{len(dots)}",
+            run=run,
+        )
+        for dot, right in zip(dots, wanted):
+            task.expect(
+                hypot(dot[0] - right[0], dot[1] - right[1]) < 0.1,
+                expected=f"in {name!r}, a point at ({right[0]:.1f}, {right[1]:.1f})",
+                got=f"({dot[0]:.1f}, {dot[1]:.1f})",
+                run=run,
+            )
+
+
+@check("The bend of the page, with other noise", hint=0)
+def same_bend(task):
+    dots_fit(task, "bend", 21)
+
+
+@check("Another room", hint=1)
+def screens(task):
+    dots_fit(task, "bend-with-screens", 22)
