@@ -4,11 +4,13 @@
 import type { World } from "../trace/events.ts";
 import type { Trace } from "../trace/trace.ts";
 import { Assets } from "./assets.ts";
-import type { RunRequest } from "./messages.ts";
-import { Pool } from "./pool.ts";
-import { Run, type RunListeners, type Workers } from "./run.ts";
+import { type Marked, Marker, type MarkListeners } from "./marker.ts";
+import type { JudgeRequest, RunRequest } from "./messages.ts";
+import { Pool, type Workers } from "./pool.ts";
+import { Run, type RunListeners } from "./run.ts";
 
-export type { RunRequest } from "./messages.ts";
+export type { Marked, MarkListeners, MarkProgress } from "./marker.ts";
+export type { JudgeRequest, RunRequest } from "./messages.ts";
 export type { RunListeners } from "./run.ts";
 
 /** cold: nothing asked for yet. loading: on its way. ready: a run starts at once. */
@@ -21,6 +23,12 @@ export interface Running {
   stop(): void;
 }
 
+/** A marking under way. `done` resolves for every ending. */
+export interface Marking {
+  readonly done: Promise<Marked>;
+  cancel(): void;
+}
+
 /** A real program that is run out of sight, so that the engine has compiled the hot paths. */
 export interface WarmUp {
   program: string;
@@ -28,6 +36,9 @@ export interface WarmUp {
 }
 
 /** Dispatches "change" when `state` or `progress` has changed. */
+/** Chromium's compiler needs about a second of running to be done with a mapper. */
+const WARM_UPS = 3;
+
 export class Runtime extends EventTarget {
   #state: RuntimeState = "cold";
   #error: string | null = null;
@@ -36,6 +47,9 @@ export class Runtime extends EventTarget {
   /** Settles when the first interpreter is ready, or none can be had. */
   #started: Promise<void> = Promise.resolve();
   readonly #warmUp: WarmUp | null;
+  #warmingUp: Run | null = null;
+  /** The reader's last run or marking; null before the first. */
+  #work: Promise<unknown> | null = null;
 
   constructor(warmUp: WarmUp | null = null) {
     super();
@@ -68,18 +82,33 @@ export class Runtime extends EventTarget {
 
   /** Run a program. Starts Python if need be; the run then waits for it. */
   run(request: RunRequest, listeners: RunListeners = {}): Running {
+    const { workers, assets } = this.#staff();
+    return this.#begun(new Run(request, listeners, workers, assets));
+  }
+
+  /** Mark a program by a check. Starts Python if need be; the marking then waits for it. */
+  mark(request: JudgeRequest, listeners: MarkListeners = {}): Marking {
+    const { workers, assets } = this.#staff();
+    return this.#begun(new Marker(request, listeners, workers, assets));
+  }
+
+  #begun<Work extends { done: Promise<unknown> }>(work: Work): Work {
+    this.#work = work.done;
+    this.#warmingUp?.stop();
+    return work;
+  }
+
+  /** Whoever does the work, as soon as Python has started. */
+  #staff(): { workers: Workers; assets: Assets } {
     this.warm();
     const started = this.#started;
     const pool = this.#pool;
     if (!pool || !this.#assets) throw new Error("warm() leaves a pool behind");
-    const workers: Workers = {
-      take: async () => {
-        await started;
-        return pool.take();
-      },
-      prepare: () => pool.prepare(),
+    const take = async () => {
+      await started;
+      return pool.take();
     };
-    return new Run(request, listeners, workers, this.#assets);
+    return { workers: { take, prepare: () => pool.prepare() }, assets: this.#assets };
   }
 
   /**
@@ -116,15 +145,28 @@ export class Runtime extends EventTarget {
       throw error;
     }
     this.#become("ready");
-    assets.stdlib().catch(() => {});
-    void this.#runWarmUp(pool, assets);
+    void this.#followUp(pool, assets);
   }
 
-  /** In a worker of its own, which is then thrown away: what was compiled serves the next ones. */
-  async #runWarmUp(pool: Pool, assets: Assets): Promise<void> {
-    if (!this.#warmUp) return;
+  /** What can wait until Python is up, and gives way to what the reader runs. */
+  async #followUp(pool: Pool, assets: Assets): Promise<void> {
+    await this.#runWarmUps(pool, assets);
+    await this.#work;
+    // A program that needs it before fetches it itself, and hears of a failure.
+    assets.stdlib().catch(() => {});
+  }
+
+  /**
+   * In workers of their own, which are then thrown away: what the engine has compiled serves the
+   * next ones. The reader's own runs do as well, and have the machine to themselves.
+   */
+  async #runWarmUps(pool: Pool, assets: Assets): Promise<void> {
     const workers: Workers = { take: () => pool.start(), prepare: async () => {} };
-    await new Run({ ...this.#warmUp, seed: 0 }, {}, workers, assets).done;
+    for (let i = 0; this.#warmUp && !this.#work && i < WARM_UPS; i += 1) {
+      this.#warmingUp = new Run({ ...this.#warmUp, seed: i }, {}, workers, assets);
+      await this.#warmingUp.done;
+    }
+    this.#warmingUp = null;
   }
 
   #become(state: RuntimeState, error: string | null = null): void {

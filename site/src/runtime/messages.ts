@@ -56,8 +56,29 @@ export type ToWorker =
       seed: number;
       limits: Limits;
     }
+  /** Judge a program by a check; answered by `step`. `request` is a JudgeRequest as JSON. */
+  | { kind: "judge"; id: number; request: string }
+  /** What became of the jobs of the last step, each as JSON; answered by the next `step`. */
+  | { kind: "results"; id: number; results: readonly string[] }
+  /** Do a job of a marking, given as JSON; answered by `performed`. */
+  | { kind: "perform"; id: number; program: string; job: string }
   | { kind: "stdlib"; bytes: ArrayBuffer }
   | { kind: "package"; name: string; bytes: ArrayBuffer };
+
+/** What the judge is told to begin with. The judge never runs any of the program. */
+export interface JudgeRequest {
+  lesson: string;
+  task: string;
+  /** The text of check.py. */
+  check: string;
+  program: string;
+  /** The lesson's own worlds, which a check may name. */
+  worlds: readonly World[];
+}
+
+/** The longest texts that a judge and a performer may send [characters]. */
+export const MOST_STEP = 16_000_000;
+export const MOST_RESULT = 200_000_000;
 
 export type DeathReason = "recursion" | "fatal" | "internal";
 
@@ -69,6 +90,10 @@ export type FromWorker =
   | { kind: "chunk"; id: number; events: string; points: ArrayBuffer }
   /** The program has ended by itself; its trace holds an end event. */
   | { kind: "finished"; id: number }
+  /** The judge wants jobs done, or gives the mark: `readStep` reads it. */
+  | { kind: "step"; id: number; step: string }
+  /** A job is done: its result as JSON, with the trace of the run. */
+  | { kind: "performed"; id: number; result: string }
   /**
    * The interpreter can't be used any more: `recursion`, calls went deeper than the engine allows;
    * `fatal`, it broke down; `internal`, a fault of ours. `line` is the program's, if it is known;
@@ -101,6 +126,10 @@ export function isFromWorker(value: unknown): value is FromWorker {
       return hasId && typeof message.events === "string" && message.points instanceof ArrayBuffer;
     case "finished":
       return hasId;
+    case "step":
+      return hasId && isText(message.step, MOST_STEP);
+    case "performed":
+      return hasId && isText(message.result, MOST_RESULT);
     case "died":
       return (
         (hasId || message.id === null) &&
@@ -111,4 +140,8 @@ export function isFromWorker(value: unknown): value is FromWorker {
     default:
       return false;
   }
+}
+
+function isText(value: unknown, most: number): boolean {
+  return typeof value === "string" && value.length <= most;
 }

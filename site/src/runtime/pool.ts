@@ -7,8 +7,25 @@
 import workerUrl from "../worker/worker.ts?worker&url";
 import { type Boot, type FromWorker, isFromWorker, type ToWorker } from "./messages.ts";
 
+/** What one needs of an interpreter to work with it. */
+export interface Partner {
+  /** From now on messages go to this listener; only one listens at a time. */
+  listen(listener: (message: FromWorker) => void): void;
+  send(message: ToWorker): void;
+  /** End it at once, whatever it is doing. */
+  end(): void;
+}
+
+/** Where work gets its interpreters. */
+export interface Workers {
+  /** A spare, as soon as it is ready; nobody else gets it. */
+  take(): Promise<Partner>;
+  /** Have the next one on its way. */
+  prepare(): Promise<void>;
+}
+
 /** One interpreter in its worker. */
-export class Interpreter {
+export class Interpreter implements Partner {
   readonly ready: Promise<void>;
   #worker: Worker;
   #port: MessagePort;
@@ -35,7 +52,6 @@ export class Interpreter {
     this.#worker.postMessage(boot, [channel.port2]);
   }
 
-  /** From now on messages go to this listener; only one listens at a time. */
   listen(listener: (message: FromWorker) => void): void {
     this.#listener = listener;
   }
@@ -44,7 +60,6 @@ export class Interpreter {
     this.#port.postMessage(message);
   }
 
-  /** End it at once, whatever it is doing. */
   end(): void {
     this.#listener = () => {};
     this.#port.close();

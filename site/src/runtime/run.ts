@@ -6,13 +6,10 @@
  */
 import { FORMAT, type Header, KINDS, VERSION } from "../trace/events.ts";
 import { Trace } from "../trace/trace.ts";
-import type { Assets } from "./assets.ts";
 import { type Ending, explain } from "./endings.ts";
 import { DEFAULT_LIMITS, type FromWorker, type Limits, type RunRequest } from "./messages.ts";
-import type { Interpreter, Pool } from "./pool.ts";
-
-/** Where a run gets its interpreter. */
-export type Workers = Pick<Pool, "take" | "prepare">;
+import { type ModuleFiles, provideModules } from "./modules.ts";
+import type { Partner, Workers } from "./pool.ts";
 
 export interface RunListeners {
   /** The trace has grown. */
@@ -27,18 +24,23 @@ export class Run {
   readonly #limits: Limits;
   readonly #listeners: RunListeners;
   readonly #workers: Workers;
-  readonly #assets: Assets;
+  readonly #modules: ModuleFiles;
   readonly #trace: Trace;
-  #interpreter: Interpreter | null = null;
+  #interpreter: Partner | null = null;
   #end: (ending: Ending) => void = () => {};
   #ended = false;
 
-  constructor(request: RunRequest, listeners: RunListeners, workers: Workers, assets: Assets) {
+  constructor(
+    request: RunRequest,
+    listeners: RunListeners,
+    workers: Workers,
+    modules: ModuleFiles,
+  ) {
     this.#request = request;
     this.#limits = { ...DEFAULT_LIMITS, ...request.limits };
     this.#listeners = listeners;
     this.#workers = workers;
-    this.#assets = assets;
+    this.#modules = modules;
     this.#trace = new Trace(headerOf(request));
     this.done = this.#carryOut();
   }
@@ -77,37 +79,15 @@ export class Run {
       return;
     }
     this.#interpreter = interpreter;
-    await this.#provideModules(interpreter);
-    // Ended meanwhile, and the interpreter with it: it must not be spoken to.
-    if (this.#ended) return;
-    interpreter.listen((message) => this.#receive(message, watch));
     const { program, world, seed } = this.#request;
+    const note = (text: string) => this.#listeners.onNote?.(text);
+    const died = await provideModules(interpreter, program, this.#modules, note);
+    if (died) this.#end(died);
+    // Ended meanwhile, and the interpreter with it: it must not be spoken to.
+    if (died || this.#ended) return;
+    interpreter.listen((message) => this.#receive(message, watch));
     interpreter.send({ kind: "run", id: 0, program, world, seed, limits: this.#limits });
     watch.begin(() => this.#workers.prepare().catch(() => {}));
-  }
-
-  /** See to it that what the program imports is there before it runs. */
-  async #provideModules(interpreter: Interpreter): Promise<void> {
-    const { missing, hasStdlib } = await new Promise<Extract<FromWorker, { kind: "imports" }>>(
-      (resolve) => {
-        interpreter.listen((message) => {
-          if (message.kind === "imports") resolve(message);
-          if (message.kind === "died") this.#end(message);
-        });
-        interpreter.send({ kind: "inspect", id: 0, program: this.#request.program });
-      },
-    );
-    if (missing.length === 0) return;
-    const note = (text: string) => this.#listeners.onNote?.(text);
-    if (!hasStdlib) {
-      note("Loading Python's standard library");
-      interpreter.send({ kind: "stdlib", bytes: await this.#assets.stdlib() });
-    }
-    if (missing.includes("numpy")) {
-      const bytes = await this.#assets.numpy(note);
-      note("Starting NumPy");
-      interpreter.send({ kind: "package", name: "numpy", bytes });
-    }
   }
 
   #receive(message: FromWorker, watch: Watch): void {
@@ -130,7 +110,7 @@ export class Run {
 }
 
 /** A spare is started once a run has lasted this long, so that a short run has the machine. */
-const LONG_RUN_MS = 150;
+const LONG_RUN_MS = 600;
 
 /** Watches over a run in real time: says when it is a long one, and when it has gone silent. */
 class Watch {

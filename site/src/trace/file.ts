@@ -60,6 +60,11 @@ function decodePoints(row: unknown[], where: string): Int16Array {
   if (row.length !== 2 || typeof text !== "string") {
     throw new TraceError(`${where}: points has 1 value (text), not ${row.length - 1}`);
   }
+  return readPoints(text, where);
+}
+
+/** The point store of a run from its base64 text. Throws TraceError. */
+export function readPoints(text: string, where: string): Int16Array {
   let binary: string;
   try {
     binary = atob(text);

@@ -1,6 +1,7 @@
 /**
- * The worker: one interpreter, one run. Loads Pyodide, then passes messages between the page and
- * `py/bridge`. May import `runtime/messages` only; has no DOM.
+ * The worker: one interpreter, for one piece of work (a run, or a judge or a job of a marking).
+ * Loads Pyodide, then passes messages between the page and `py/bridge`. May import
+ * `runtime/messages` only; has no DOM.
  *
  * The port to the page lives in this module's closure, where Python can't reach it: a message on
  * the worker's own channel is nothing to anybody.
@@ -23,6 +24,19 @@ interface Session {
   ): void;
 }
 
+/** `bridge.marking`, as far as it is called from here. */
+interface Marking {
+  Judge(request: string): Judge;
+  perform(job: string, program: string): string;
+}
+
+interface Judge {
+  hear(result: string): void;
+  step(): string;
+}
+
+type MarkingMessage = Extract<ToWorker, { kind: "judge" | "results" | "perform" }>;
+
 self.onmessage = (event: MessageEvent<Boot>) => {
   self.onmessage = null;
   const port = event.ports[0];
@@ -33,6 +47,7 @@ class Interpreter {
   #port: MessagePort;
   #pyodide: PyodideAPI | null = null;
   #session: Session | null = null;
+  #judge: Judge | null = null;
   #hasStdlib: boolean;
   #runId: number | null = null;
   #lastWords = new LastWords();
@@ -68,8 +83,10 @@ class Interpreter {
         const missing = names.toJs();
         names.destroy();
         this.#send({ kind: "imports", id: message.id, missing, hasStdlib: this.#hasStdlib });
-      } else {
+      } else if (message.kind === "run") {
         this.#run(session, message);
+      } else {
+        this.#mark(pyodide.pyimport("bridge.marking") as Marking, message);
       }
     } catch (error) {
       this.#fail(error);
@@ -91,6 +108,19 @@ class Interpreter {
     );
     this.#send({ kind: "finished", id });
     this.#runId = null;
+  }
+
+  #mark(marking: Marking, message: MarkingMessage): void {
+    const { id } = message;
+    if (message.kind === "perform") {
+      const result = marking.perform(message.job, message.program);
+      this.#send({ kind: "performed", id, result });
+      return;
+    }
+    if (message.kind === "judge") this.#judge = marking.Judge(message.request);
+    else for (const result of message.results) this.#judge?.hear(result);
+    if (!this.#judge) throw new Error("results came before there was a judge to hear them");
+    this.#send({ kind: "step", id, step: this.#judge.step() });
   }
 
   /** Tell the page what broke. The interpreter is not used again after this. */

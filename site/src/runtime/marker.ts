@@ -1,0 +1,200 @@
+/**
+ * One marking: the dialogue between a judge and the performers of its jobs.
+ *
+ * The judge is an interpreter that runs the lesson's check and never a line of the program. What it
+ * wants to see the program do is a job; each job has an interpreter of its own, which knows nothing
+ * of the check and is ended after it. So a program reaches neither its judge nor another run. Here
+ * their texts are carried to and fro.
+ */
+import { type Job, type Mark, readStep } from "./marks.ts";
+import type { FromWorker, JudgeRequest } from "./messages.ts";
+import { type Died, type ModuleFiles, provideModules } from "./modules.ts";
+import type { Partner, Workers } from "./pool.ts";
+
+/** Jobs done side by side. Most devices have two cores or more. */
+const AT_ONCE = 2;
+/** A check that wants more rounds of jobs than this would never come to an end. */
+const MOST_ROUNDS = 20;
+/** The judge only compares: if it takes this long, it is the check that does not end [s]. */
+const JUDGE_S = 60;
+/** Ends what still goes on behind a marking that has ended; nobody hears it. */
+const OVER = "the marking is over";
+
+export interface MarkProgress {
+  done: number;
+  /** Jobs known of so far; the judge may ask for more. */
+  of: number;
+}
+
+export interface MarkListeners {
+  onProgress?(progress: MarkProgress): void;
+  /** What the marking waits for, such as "Loading NumPy: 40 % of 3.1 MB". */
+  onNote?(text: string): void;
+}
+
+/** A job and what became of it, as text. */
+export interface Performance {
+  job: Job;
+  result: string;
+}
+
+export type Marked =
+  | { kind: "marked"; mark: Mark; performances: readonly Performance[] }
+  | { kind: "cancelled" }
+  /** A fault of ours, in words. */
+  | { kind: "failed"; message: string };
+
+export class Marker {
+  readonly done: Promise<Marked>;
+  readonly #request: JudgeRequest;
+  readonly #listeners: MarkListeners;
+  readonly #workers: Workers;
+  readonly #modules: ModuleFiles;
+  /** The interpreters at work, the judge's among them. */
+  readonly #partners = new Set<Partner>();
+  readonly #performances: Performance[] = [];
+  #jobs = 0;
+  #over = false;
+  #end: (marked: Marked) => void = () => {};
+
+  constructor(
+    request: JudgeRequest,
+    listeners: MarkListeners,
+    workers: Workers,
+    modules: ModuleFiles,
+  ) {
+    this.#request = request;
+    this.#listeners = listeners;
+    this.#workers = workers;
+    this.#modules = modules;
+    this.done = this.#carryOut();
+  }
+
+  /** Ends the marking now, without a mark. Nothing happens if it has ended. */
+  cancel(): void {
+    this.#end({ kind: "cancelled" });
+  }
+
+  async #carryOut(): Promise<Marked> {
+    const ended = new Promise<Marked>((resolve) => {
+      this.#end = resolve;
+    });
+    this.#converse().then(this.#end, (error: unknown) => {
+      const message = error instanceof Error ? error.message : String(error);
+      this.#end({ kind: "failed", message });
+    });
+    const marked = await ended;
+    this.#over = true;
+    for (const partner of [...this.#partners]) this.#dismiss(partner);
+    return marked;
+  }
+
+  async #converse(): Promise<Marked> {
+    const judge = await this.#engage(this.#request.check);
+    let said = await ask(judge, { kind: "judge", id: 0, request: JSON.stringify(this.#request) });
+    for (let round = 0; round < MOST_ROUNDS; round++) {
+      const step = readStep(said);
+      if ("mark" in step) {
+        return { kind: "marked", mark: step.mark, performances: this.#performances };
+      }
+      this.#jobs += step.jobs.length;
+      this.#tell();
+      const results = await this.#perform(step.jobs);
+      said = await ask(judge, { kind: "results", id: 0, results });
+    }
+    throw new Error(`the check asked for jobs ${MOST_ROUNDS} times and gave no mark`);
+  }
+
+  /** Does the jobs, a few at a time; the results come in the order of the jobs. */
+  async #perform(jobs: readonly Job[]): Promise<string[]> {
+    const results: string[] = [];
+    let next = 0;
+    const lane = async (): Promise<void> => {
+      for (let index = next++; index < jobs.length; index = next++) {
+        const job = jobs[index] as Job;
+        const result = await this.#do(job);
+        results[index] = result;
+        this.#performances.push({ job, result });
+        this.#tell();
+      }
+    };
+    await Promise.all(Array.from({ length: AT_ONCE }, lane));
+    return results;
+  }
+
+  async #do(job: Job): Promise<string> {
+    const { program } = this.#request;
+    const performer = await this.#engage(program);
+    const answer = await within(job.seconds, (tell) => {
+      performer.listen(tell);
+      performer.send({ kind: "perform", id: 0, program, job: job.text });
+    });
+    this.#dismiss(performer);
+    if (answer === null) return endedEarly(job, "time");
+    if (answer.kind === "performed") return answer.result;
+    if (answer.kind === "died" && answer.reason !== "internal") return endedEarly(job, "crash");
+    throw unexpected(answer, "the performer");
+  }
+
+  /** An interpreter with what a source imports. Throws if it can't be had. */
+  async #engage(source: string): Promise<Partner> {
+    if (this.#over) throw new Error(OVER);
+    const partner = await this.#workers.take();
+    if (this.#over) {
+      partner.end();
+      throw new Error(OVER);
+    }
+    this.#partners.add(partner);
+    // The next one starts while this one works; a failure shows when it is needed.
+    this.#workers.prepare().catch(() => {});
+    const note = (text: string) => this.#listeners.onNote?.(text);
+    const died = await provideModules(partner, source, this.#modules, note);
+    if (died) throw new Error(died.message);
+    return partner;
+  }
+
+  #dismiss(partner: Partner): void {
+    partner.end();
+    this.#partners.delete(partner);
+  }
+
+  #tell(): void {
+    if (this.#over) return;
+    this.#listeners.onProgress?.({ done: this.#performances.length, of: this.#jobs });
+  }
+}
+
+/** What the judge answers; rejects if it has no step to say. */
+async function ask(judge: Partner, message: Parameters<Partner["send"]>[0]): Promise<string> {
+  const answer = await within(JUDGE_S, (tell) => {
+    judge.listen(tell);
+    judge.send(message);
+  });
+  if (answer === null) throw new Error(`the check did not come to an end within ${JUDGE_S} s`);
+  if (answer.kind !== "step") throw unexpected(answer, "the judge");
+  return answer.step;
+}
+
+/** The first message that is told, or null after so many seconds without one. */
+function within(
+  seconds: number,
+  begin: (tell: (message: FromWorker) => void) => void,
+): Promise<FromWorker | null> {
+  return new Promise((resolve) => {
+    const late = setTimeout(() => resolve(null), seconds * 1000);
+    begin((message) => {
+      clearTimeout(late);
+      resolve(message);
+    });
+  });
+}
+
+function unexpected(answer: FromWorker, who: string): Error {
+  const died: Died | null = answer.kind === "died" ? answer : null;
+  return new Error(died ? died.message : `${who} said "${answer.kind}", which was not asked for`);
+}
+
+/** The result of a job whose interpreter had to be ended, or ended itself. */
+function endedEarly({ id }: Job, died: "time" | "crash"): string {
+  return JSON.stringify({ id, trace: null, outcome: null, answers: null, died });
+}

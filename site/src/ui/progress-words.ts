@@ -1,0 +1,29 @@
+/** The words for what is kept of a learner's progress; `strings.ts` has the rest and the voice. */
+
+const tasks = (count: number): string => (count === 1 ? "1 task" : `${count} tasks`);
+
+export const progressWords = {
+  region: "Your progress",
+  save: "Save progress as a file",
+  open: "Open a file of progress…",
+  clear: "Clear progress",
+  undo: "Undo",
+  fileName: "bugbot-progress.json",
+  saved: "The file has been handed to the browser to save.",
+  opened: (added: number) =>
+    added === 0
+      ? "Everything in the file was here already."
+      : `The file is in: ${tasks(added)} further than before. Nothing that was here is lost.`,
+  cleared: "The progress kept on this device is gone. Your programs are still here.",
+  back: "Your progress is back.",
+  notKept:
+    "This browser does not let the site keep your progress, so it lasts until you leave. Save it as a file to keep it.",
+  notFile: (name: string, why: string) => `${name} was not opened: ${why}`,
+  tooLarge: "it is too large to be a file of progress.",
+  noText: "it does not hold text.",
+  unreadable: {
+    "no progress": "it is not a file of progress saved from this site.",
+    newer: "it was saved by a newer version of this site. Reload the page and try again.",
+    damaged: "it is damaged, and nothing of it was used.",
+  },
+};
