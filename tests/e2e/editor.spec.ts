@@ -1,5 +1,20 @@
 /** The editor helps with the robot's calls, and can be read at any size. */
+import type { Page } from "@playwright/test";
 import { expect, test } from "./fixtures.ts";
+
+/** From now on, what a screen reader is told by the editor: a line each. It is soon cleared there. */
+async function heard(page: Page): Promise<() => Promise<string>> {
+  const lines = await page.locator("bugbot-lab").evaluateHandle((lab) => {
+    const said: string[] = [];
+    const listen = (): unknown =>
+      said.push(lab.querySelector("[aria-live=polite].cm-announced")?.textContent ?? "");
+    new MutationObserver(listen).observe(lab.querySelector(".cm-announced") as Element, {
+      childList: true,
+    });
+    return said;
+  });
+  return () => lines.evaluate((said) => said.join("\n"));
+}
 
 test("the robot's calls complete, with their own words", async ({ app, page }) => {
   await app.openLab("world=empty");
@@ -10,6 +25,38 @@ test("the robot's calls complete, with their own words", async ({ app, page }) =
   await expect(page.locator(".cm-completionInfo")).toContainText("odometry()");
   await page.keyboard.press("Enter");
   expect(await app.text()).toBe("from bugbot import *\n\nrobot = connect()\nrobot.odometry");
+});
+
+test("while a call's arguments are written, its parameters are told, until Esc", async ({
+  app,
+  page,
+  isMobile,
+}) => {
+  const help = page.getByRole("tooltip");
+  await app.openLab("world=empty");
+  const said = await heard(page);
+  await app.write("from bugbot import *\n");
+  await page.keyboard.press("ControlOrMeta+End");
+  await page.keyboard.type("drive(5");
+  await expect(help).toContainText("drive(forward, right, turn)");
+  await expect(help.getByText("forward", { exact: true })).toHaveRole("strong");
+  await expect
+    .poll(said)
+    .toMatch(/drive\(forward, right, turn\); forward: speed ahead in per cent/);
+  await page.keyboard.type("0, ");
+  await expect(help.getByText("right", { exact: true })).toHaveRole("strong");
+  await expect.poll(said).toMatch(/\nright: speed to the right in per cent/);
+  await expect(help.getByText("speed to the right")).toBeVisible({ visible: !isMobile });
+  // Esc puts it away and leaves the way out open; the key brings it back.
+  await page.keyboard.press("Escape");
+  await expect(help).toBeHidden();
+  await page.keyboard.type("3");
+  await expect(help).toBeHidden();
+  await page.keyboard.press("ControlOrMeta+Shift+Space");
+  await expect(help).toBeVisible();
+  await page.keyboard.press("End");
+  await expect(help).toBeHidden();
+  expect(await app.text()).toBe("from bugbot import *\ndrive(50, 3)");
 });
 
 test("pointing at a call tells what it does", async ({ app, page, isMobile }) => {

@@ -23,12 +23,14 @@ import {
   lineNumbers,
 } from "@codemirror/view";
 import { editorWords } from "../ui/strings.ts";
+import { argumentHelp } from "./argument-help.ts";
+import type { Call } from "./calls.ts";
 import { gesture, type OnNumber } from "./gesture.ts";
 import { leaveWithEscape } from "./leaving.ts";
 import { lineMarks, lineStart, setFaultLine, setPlayingLine } from "./line-marks.ts";
 import { movingNumbers } from "./moving.ts";
 import { constantsOf, withValues } from "./numbers.ts";
-import { type Call, robotCalls } from "./robot-calls.ts";
+import { robotCalls } from "./robot-calls.ts";
 import { sliders } from "./sliders.ts";
 import { syntaxProblems } from "./syntax.ts";
 import { theme } from "./theme.ts";
@@ -168,6 +170,7 @@ function extensions(options: EditorOptions): Extension {
     highlightSelectionMatches(),
     search({ top: true }),
     python(),
+    argumentHelp(options.calls),
     autocompletion(),
     robotCalls(options.calls),
     syntaxProblems,

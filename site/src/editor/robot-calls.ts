@@ -1,23 +1,13 @@
 /**
  * Help with the robot's calls: completion while typing, and their docstrings on hover.
- * The calls are handed in; they come from the docstrings of `py/bugbot`.
+ * May import `calls`.
  */
 import type { Completion, CompletionContext, CompletionResult } from "@codemirror/autocomplete";
 import { pythonLanguage } from "@codemirror/lang-python";
 import { syntaxTree } from "@codemirror/language";
 import type { Extension } from "@codemirror/state";
 import { hoverTooltip } from "@codemirror/view";
-
-export interface Call {
-  name: string;
-  signature: string;
-  summary: string;
-  doc: string;
-}
-
-/** Names that hold the robot: `robot = connect()`, `with Robot() as robot`, `import bugbot`. */
-const HOLDS_ROBOT =
-  /\b(\w+)\s*=\s*(?:bugbot\.)?(?:connect|Robot)\(|(?:connect|Robot)\([^)\n]*\)\s+as\s+(\w+)|\bimport\s+(bugbot)\b/g;
+import { type Call, robotCall, robotNames } from "./calls.ts";
 
 export function robotCalls(calls: readonly Call[]): Extension {
   const byName = new Map(calls.map((call) => [call.name, call]));
@@ -28,8 +18,7 @@ export function robotCalls(calls: readonly Call[]): Extension {
     }),
     hoverTooltip((view, at) => {
       const node = syntaxTree(view.state).resolveInner(at, 0);
-      if (node.name !== "VariableName" && node.name !== "PropertyName") return null;
-      const call = byName.get(view.state.sliceDoc(node.from, node.to));
+      const call = robotCall(node, view.state.doc.toString(), byName);
       if (!call) return null;
       return {
         pos: node.from,
@@ -64,15 +53,6 @@ function complete(context: CompletionContext, options: Completion[]): Completion
     return null;
   }
   return { from: word.from, options, validFor: /^\w*$/ };
-}
-
-function robotNames(program: string): Set<string> {
-  const names = new Set<string>();
-  for (const match of program.matchAll(HOLDS_ROBOT)) {
-    const name = match[1] ?? match[2] ?? match[3];
-    if (name) names.add(name);
-  }
-  return names;
 }
 
 function help(call: Call, text: string): HTMLElement {

@@ -2,9 +2,9 @@
  * The program of a lab: the editor it is written in, what it started as, and what is kept of it.
  * May import `editor` and `ui`.
  */
+import type { Call } from "../editor/calls.ts";
 import { ProgramEditor } from "../editor/editor.ts";
 import type { OnNumber } from "../editor/gesture.ts";
-import type { Call } from "../editor/robot-calls.ts";
 import { KeptProgram } from "./kept-program.ts";
 import type { ProgramStore } from "./storage.ts";
 import type { Version } from "./versions.ts";

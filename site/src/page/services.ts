@@ -1,7 +1,7 @@
 /**
  * What every lab of a page shares. `main.ts` puts it together and hands it to `defineLab`.
  */
-import type { Call } from "../editor/robot-calls.ts";
+import type { Call } from "../editor/calls.ts";
 import type { Runtime } from "../runtime/client.ts";
 import type { World } from "../trace/events.ts";
 import type { ProgramStore } from "./storage.ts";
