@@ -85,6 +85,18 @@ export async function runInPyodide(sources, code) {
   return pyodide.runPython(code);
 }
 
+/**
+ * An interpreter started from such a snapshot, in Node.
+ * @param {Uint8Array} snapshot
+ * @param {Record<string, string>} sources those in the snapshot, and more if need be
+ */
+export async function startFromSnapshot(snapshot, sources) {
+  const pyodide = await loadPyodide({ env: environment(), _loadSnapshot: snapshot });
+  install(pyodide, sources);
+  pyodide.runPython("import importlib; importlib.invalidate_caches(); del importlib");
+  return pyodide;
+}
+
 /** Hash order is part of a run, so it is the same in every build. */
 function environment() {
   return { HOME: "/home/pyodide", PYTHONHASHSEED: "0" };

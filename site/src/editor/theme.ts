@@ -4,7 +4,7 @@
 import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
 import type { Extension } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
-import { tags } from "@lezer/highlight";
+import { wordKinds } from "./word-kinds.mjs";
 
 const layout = EditorView.theme({
   "&": { height: "100%", backgroundColor: "var(--panel)", color: "var(--ink)" },
@@ -125,16 +125,8 @@ const popups = EditorView.theme({
   ".cm-panel.cm-search [name=close]": { color: "var(--ink)", fontSize: "18px", padding: "0 8px" },
 });
 
-const colours = HighlightStyle.define([
-  { tag: [tags.keyword, tags.controlKeyword, tags.operatorKeyword], color: "var(--code-keyword)" },
-  { tag: [tags.definitionKeyword, tags.moduleKeyword], color: "var(--code-keyword)" },
-  { tag: [tags.number, tags.bool, tags.null], color: "var(--code-number)" },
-  { tag: [tags.string, tags.special(tags.string)], color: "var(--code-string)" },
-  { tag: tags.comment, color: "var(--code-comment)" },
-  { tag: tags.function(tags.variableName), color: "var(--code-call)" },
-  { tag: tags.function(tags.definition(tags.variableName)), color: "var(--code-call)" },
-  { tag: tags.function(tags.propertyName), color: "var(--code-call)" },
-  { tag: tags.definition(tags.className), color: "var(--code-call)" },
-]);
+const colours = HighlightStyle.define(
+  wordKinds.map(({ kind, tags }) => ({ tag: tags, color: `var(--code-${kind})` })),
+);
 
 export const theme: Extension = [layout, marks, popups, syntaxHighlighting(colours)];

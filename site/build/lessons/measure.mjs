@@ -1,0 +1,178 @@
+/**
+ * Runs the lessons' programs and draws their pictures in the site's own Python, in threads, each
+ * thing once: what came out is kept under .cache/lessons/ by the content of all that went in.
+ */
+import { existsSync, readFileSync } from "node:fs";
+import { availableParallelism } from "node:os";
+import { join } from "node:path";
+import { Worker } from "node:worker_threads";
+import { gunzipSync } from "node:zlib";
+import { CACHE, filesBelow, ROOT, sha256, write } from "../files.mjs";
+
+/**
+ * @typedef {import("./python-worker.mjs").Job} Job
+ * @typedef {import("./python-worker.mjs").Answer} Answer
+ * @typedef {Awaited<ReturnType<typeof import("../python.mjs").preparePython>>} PreparedPython
+ */
+
+const FOLDER = join(CACHE, "lessons");
+const SKETCH = join(ROOT, "py/sketch");
+
+/** Longer than any run that does not compute for ever [ms]. */
+const LONGEST_MS = 180_000;
+
+/** So many jobs are worth another thread with its interpreter. */
+const JOBS_A_THREAD = 4;
+
+export class Measurer {
+  #python;
+  #log;
+  #sources;
+  #base;
+
+  /**
+   * @param {PreparedPython} python
+   * @param {(text: string) => void} log
+   */
+  constructor(python, log = () => {}) {
+    this.#python = python;
+    this.#log = log;
+    const { folder, manifest } = python;
+    const packed = readFileSync(join(folder, manifest.files.sources?.path ?? ""));
+    /** @type {Record<string, string>} */
+    const sources = JSON.parse(gunzipSync(packed).toString("utf8"));
+    for (const path of filesBelow(SKETCH, (file) => file.endsWith(".py"))) {
+      sources[`sketch/${path}`] = readFileSync(join(SKETCH, path), "utf8");
+    }
+    this.#sources = sources;
+    this.#base = {
+      run: hashOf(sources, manifest.pyodide, /^bugbot\//),
+      picture: hashOf(
+        sources,
+        manifest.pyodide,
+        /^(bugbot\/frames|bugbot\/errors|mapping\/|sketch\/)/,
+      ),
+    };
+  }
+
+  /**
+   * The answer to every job, in order.
+   * @param {readonly Job[]} jobs
+   * @returns {Promise<Answer[]>}
+   */
+  async answers(jobs) {
+    const files = jobs.map((job) => this.#fileOf(job));
+    /** @type {Map<string, Job>} */
+    const missing = new Map();
+    jobs.forEach((job, index) => {
+      const file = files[index] ?? "";
+      if (!existsSync(file)) missing.set(file, job);
+    });
+    /** @type {Map<string, Answer>} */
+    const fresh = new Map();
+    if (missing.size > 0) await this.#work([...missing], fresh);
+    return files.map((file) => fresh.get(file) ?? JSON.parse(readFileSync(file, "utf8")));
+  }
+
+  /** @param {Job} job */
+  #fileOf(job) {
+    const input = JSON.stringify([this.#base[job.kind], job]);
+    return join(FOLDER, `${job.kind}-${sha256(input).slice(0, 24)}.json`);
+  }
+
+  /**
+   * @param {[file: string, job: Job][]} waiting
+   * @param {Map<string, Answer>} fresh
+   */
+  async #work(waiting, fresh) {
+    const threads = Math.min(availableParallelism(), Math.ceil(waiting.length / JOBS_A_THREAD));
+    const total = waiting.length;
+    const start = Date.now();
+    this.#log(`measuring: ${total} runs and pictures that are new or have changed`);
+    const one = async () => {
+      let thread = await this.#thread();
+      for (let next = waiting.shift(); next; next = waiting.shift()) {
+        const [file, job] = next;
+        const answer = await ask(thread, job);
+        if (answer === null) {
+          // It computes for ever: only ending the thread ends it.
+          await thread.terminate();
+          thread = await this.#thread();
+          fresh.set(file, {
+            line: null,
+            message: `it has not come to an end in ${LONGEST_MS / 1000} s`,
+          });
+        } else {
+          // A failure is not kept: it may lie in something that is no part of the key.
+          if (!("message" in answer)) write(file, JSON.stringify(answer));
+          fresh.set(file, answer);
+        }
+        if (fresh.size % 20 === 0) this.#log(`measuring: ${fresh.size} of ${total} done`);
+      }
+      await thread.terminate();
+    };
+    await Promise.all(Array.from({ length: threads }, one));
+    this.#log(`measured in ${((Date.now() - start) / 1000).toFixed(1)} s`);
+  }
+
+  /** @returns {Promise<Worker>} */
+  #thread() {
+    const { folder, manifest } = this.#python;
+    /** @param {string} name */
+    const bytes = (name) => readFileSync(join(folder, manifest.files[name]?.path ?? ""));
+    const thread = new Worker(new URL("python-worker.mjs", import.meta.url), {
+      workerData: {
+        snapshot: new Uint8Array(gunzipSync(bytes("snapshot"))),
+        sources: this.#sources,
+        numpy: new Uint8Array(bytes("numpy")).buffer,
+      },
+    });
+    return new Promise((resolve, reject) => {
+      thread.once("message", () => resolve(thread));
+      thread.once("error", reject);
+    });
+  }
+}
+
+/**
+ * The thread's answer, or null if it gives none in time.
+ * @param {Worker} thread
+ * @param {Job} job
+ * @returns {Promise<Answer | null>}
+ */
+function ask(thread, job) {
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(() => {
+      done();
+      resolve(null);
+    }, LONGEST_MS);
+    const done = () => {
+      clearTimeout(timer);
+      thread.off("message", onAnswer);
+      thread.off("error", onError);
+    };
+    /** @param {Answer} answer */
+    const onAnswer = (answer) => {
+      done();
+      resolve(answer);
+    };
+    /** @param {Error} error */
+    const onError = (error) => {
+      done();
+      reject(error);
+    };
+    thread.on("message", onAnswer);
+    thread.on("error", onError);
+    thread.postMessage(job);
+  });
+}
+
+/**
+ * @param {Record<string, string>} sources
+ * @param {string} pyodide
+ * @param {RegExp} which
+ */
+function hashOf(sources, pyodide, which) {
+  const parts = Object.keys(sources).filter((path) => which.test(path));
+  return sha256(JSON.stringify([pyodide, parts.sort().map((path) => [path, sources[path]])]));
+}
