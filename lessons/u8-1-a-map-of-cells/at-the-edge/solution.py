@@ -32,8 +32,10 @@ draw("points", POINTS, "red", "dots", 3)
 for x, y in POINTS:
     index = index_of(x, y)
     print(f"point ({x}, {y}): {index}")
-    if index is not None:
+    if index is not None and -len(grid) <= index < len(grid):
         grid[index] = "marked"
+    elif index is not None:
+        print(f"  there is no place {index} in the list")
     wait(0.5)
     marked = [i for i in range(len(grid)) if grid[i] == "marked"]
     middles = [((i % ACROSS + 0.5) * CELL, (i // ACROSS + 0.5) * CELL) for i in marked]

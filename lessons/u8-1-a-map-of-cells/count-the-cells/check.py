@@ -50,7 +50,7 @@ count_cells = function(
 def exact(task):
     task.call(count_cells, 10, gives=400)
     task.call(count_cells, 5, gives=1600)
-    task.call(count_cells, 12.5, gives=256)
+    task.call(count_cells, 25, gives=64)
 
 
 @check("One cell as large as the mat", hint=0)

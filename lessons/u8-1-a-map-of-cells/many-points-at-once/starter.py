@@ -26,8 +26,11 @@ def cells_of(points):
 rng = np.random.default_rng(1)
 scattered = rng.uniform(-15, 215, size=(40, 2)).round(1)
 
-cells = cells_of(scattered.tolist())
-draw("cells", ((np.array(cells) + 0.5) * CELL).tolist(), "#9ecae1", "squares", CELL)
+cells = np.array(cells_of(scattered.tolist()))
+if cells.ndim == 2:
+    draw("cells", ((cells + 0.5) * CELL).tolist(), "#9ecae1", "squares", CELL)
+else:
+    print("not a table with two columns, but an array of shape", cells.shape)
 draw("points", scattered.tolist(), "red", "dots", 3)
 print("points:", len(scattered))
 print("cells of points on the mat:", len(cells))

@@ -101,4 +101,4 @@ def close(task):
 @check("A beam that leaves the mat", hint=2)
 def beyond(task):
     task.call(cells_passed, 172.5, 182.5, 40, 60.7)
-    task.call(cells_passed, 12.5, 22.5, 236, 50.3)
+    task.call(cells_passed, 2.5, 52.5, 200, 50.3)

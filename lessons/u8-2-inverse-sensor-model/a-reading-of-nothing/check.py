@@ -23,9 +23,9 @@ def says(x, y, angle, reading, wall=lambda reading: reading < FAR, free=FAR, hit
 def same(expected, got):
     """The same free cells, in any order and however often, and the same hit."""
     try:
-        free, hit = got
-        passed = {tuple(cell) for cell in free}
-        return passed == set(expected[0]) and (hit if hit is None else tuple(hit)) == expected[1]
+        (right_free, right_hit), (free, hit) = expected, got
+        same_free = {tuple(cell) for cell in free} == {tuple(cell) for cell in right_free}
+        return same_free and (hit and tuple(hit)) == (right_hit and tuple(right_hit))
     except (TypeError, ValueError):
         return False
 

@@ -38,14 +38,6 @@ def looks_like(run, ought):
 
 
 SLIPS = [
-    (
-        "only one reading a look is used: go through all of scan()",
-        lambda run: (
-            all(len(scan.beams) == 1 for scan in run.scans)
-            or sum(map(len, drawn(run))) < 0.4 * sum(map(len, says(run)))
-        ),
-        0,
-    ),
     ("no hit is kept: add it to hits, unless it is None", lambda run: not drawn(run)[1], 2),
     ("no free cell is kept: free.update(passed) adds them all", lambda run: not drawn(run)[0], 2),
     (
@@ -69,7 +61,7 @@ SLIPS = [
     (
         "every beam begins where the robot started: ask position() at each look, and add START",
         lambda run: looks_like(
-            run, says(run, lambda x, y, heading, angle: (*run.start[:2], heading + angle))
+            run, says(run, lambda x, y, heading, angle: (run.start.x, run.start.y, heading + angle))
         ),
         1,
     ),
@@ -79,7 +71,7 @@ SLIPS = [
             run,
             says(
                 run,
-                lambda x, y, heading, angle: (x - run.start[0], y - run.start[1], heading + angle),
+                lambda x, y, heading, angle: (x - run.start.x, y - run.start.y, heading + angle),
             ),
         ),
         1,
@@ -88,6 +80,14 @@ SLIPS = [
         "only the last look is drawn: add to free and hits, don't begin them anew",
         lambda run: looks_like(run, says(run, only=slice(-1, None))),
         2,
+    ),
+    (
+        "only one reading a look is used: go through all of scan()",
+        lambda run: (
+            all(len(scan.beams) == 1 for scan in run.scans)
+            or sum(map(len, drawn(run))) < 0.4 * sum(map(len, says(run)))
+        ),
+        0,
     ),
 ]
 

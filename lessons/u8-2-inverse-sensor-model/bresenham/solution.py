@@ -16,12 +16,12 @@ def line_of_cells(first, last):
     right = 1 if last[0] > column else -1
     up = 1 if last[1] > row else -1
     longer, shorter = max(wide, high), min(wide, high)
-    error = 0
+    drift = 0
     for step in range(longer):
-        error += 2 * shorter
-        sideways = error > longer
+        drift += 2 * shorter
+        sideways = drift > longer
         if sideways:
-            error -= 2 * longer
+            drift -= 2 * longer
         if wide >= high or sideways:
             column += right
         if wide < high or sideways:
