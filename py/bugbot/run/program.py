@@ -39,6 +39,7 @@ def run_program(
     on_flush: Callable[[], None] | None = None,
     trace_ready: Callable[[Trace], None] | None = None,
     on_stuck: Callable[[Trace], None] | None = None,
+    then: Callable[[ModuleType], None] | None = None,
 ) -> Trace:
     """Run a program on a world and return its trace.
 
@@ -51,6 +52,8 @@ def run_program(
     trace_ready  is handed the trace before the program starts
     on_stuck     called from another thread, with the trace at its end, if the program computes
                  past the limit and can't be interrupted; it should end the process
+    then         called with the program's module when the program has come to its end without
+                 an error, still as a part of the run
 
     The same arguments give the same trace. Whatever the program does wrong is in the trace
     (`fault` and `end` events), never raised. Raises WorldError for a world that is none, and
@@ -82,7 +85,7 @@ def run_program(
 
     with connected(link), watched(meter, link.now, filename, give_up if on_stuck else None):
         with hosted(module, source, seed, link, out, err):
-            error = _carry_out(source, module, filename)
+            error = _carry_out(source, module, filename, then)
         # Python is the host's again, whatever the program has done to it. But the text of an
         # error may be made by the learner's own code, which may print, or never end.
         with redirect_stdout(cast(TextIO, out)), redirect_stderr(cast(TextIO, err)):
@@ -94,10 +97,14 @@ def run_program(
     return trace
 
 
-def _carry_out(source: str, module: ModuleType, filename: str) -> BaseException | None:
+def _carry_out(
+    source: str, module: ModuleType, filename: str, then: Callable[[ModuleType], None] | None
+) -> BaseException | None:
     """Run the program in its module; what ended it, or None if it came to its end."""
     try:
         exec(compile(source, filename, "exec", dont_inherit=True), vars(module))
+        if then is not None:
+            then(module)
     except BaseException as error:
         return error
     return None

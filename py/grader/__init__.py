@@ -1,0 +1,47 @@
+"""Marks what learners write, on worlds and noise they have not seen.
+
+May import: the standard library, `bugbot`, `mapping`.
+
+The words of a check.py are these, and `grader.task.Task`'s methods; lessons/README.md teaches
+them:
+
+    check          names a check: @check("A point in the middle of a cell", hint=0)
+    function       declares a function the learner writes, what is right, and the likely slips
+    exactly        how answers are compared: as they are
+    near           … numbers within so much
+    in_any_order   … lists whose order does not matter
+
+How marking works. A learner's program is never run in the interpreter that judges it:
+
+    judge.py      executes a check.py, never a program; asks for jobs, and gives the mark
+    perform.py    does one job in a fresh interpreter: runs the program, calls its functions
+    jobs.py       the JSON between the two
+    limits.py     what a job may use up
+    fence.py      what a program may not use while it is marked
+    calling.py    calls the learner's functions, inside a run
+
+    task.py       what a check is handed: call, set, variable, run, expect, near
+    functions.py  a declared function, its calls, and which slip explains the answers
+    places.py     where on the mat an answer is wrong
+    compare.py    exactly, near, in_any_order
+    values.py     answers as JSON, by exact type; and as a message shows them
+    runs.py       a run: how it ended, its path, its chart, its prints
+    maps.py       the map a run has drawn
+    scans.py      what the reference makes of a run's scans
+    traces.py     a trace from elsewhere, checked row by row
+    lines.py      a line of its chart
+    trust.py      a trace held against the truth
+    marks.py      the mark, as JSON and as text
+    failures.py   the three ways a check ends early
+
+    lesson.py     reads a lesson's folder, and says what is wrong with it
+    marking.py    the dialogue of judge and performer, under plain CPython
+    serving.py    the performer's process, there
+    standing.py   the standing check of a whole course
+    cli.py        python -m grader mark …, python -m grader check …
+"""
+
+from grader.compare import exactly, in_any_order, near
+from grader.declare import check, function
+
+__all__ = ["check", "exactly", "function", "in_any_order", "near"]

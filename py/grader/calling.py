@@ -1,0 +1,173 @@
+"""Calls the functions of a learner's program, inside its run.
+
+May import: the standard library, `bugbot.errors`, `bugbot.run`, `bugbot.trace`, `grader.limits`,
+`grader.values`.
+
+An answer is one of
+
+    {"value": …}           what it returned, or what it left in the argument it changes
+    {"fault": {…}}         type, message, line and hint of the error it raised
+    {"late": line}         it was still computing after `CALL_S` real seconds
+    {"missing", "near"}    there is no such name; the nearest there is
+    {"no function": …}     the name stands for something else
+    {"parameters": "(x)"}  it can't be called with so many arguments
+    {"skipped": true}      an earlier call never came back
+
+A value comes with "printed": true if the call has printed something.
+"""
+
+from __future__ import annotations
+
+import inspect
+import sys
+from collections.abc import Callable
+from time import perf_counter as real_time  # a run puts simulated time in the module's place
+from types import FrameType, ModuleType
+from typing import Any
+
+from bugbot.errors import got, nearest
+from bugbot.run.faults import fault_of
+from bugbot.run.limits import LimitReached
+from bugbot.trace import Trace
+from grader.limits import CALL_S
+from grader.values import decoded, encoded
+
+__all__ = ["Caller"]
+
+
+class _TooLate(BaseException):
+    """A call has computed for longer than it may; no Exception, so few programs catch it."""
+
+
+class Caller:
+    """Makes the calls of one group and keeps the answers."""
+
+    def __init__(self, calls: list[dict[str, Any]], program: str, filename: str) -> None:
+        self.answers: list[dict[str, Any]] = []
+        self.late = False
+        self._calls = calls
+        self._program = program
+        self._filename = filename
+        self.late_on: int | None = None
+        """The line on which the program was when it had computed for too long."""
+        self._until = 0.0
+        self._trace: Trace | None = None
+
+    def follow(self, trace: Trace) -> None:
+        """Take note of the trace of the run that begins."""
+        self._trace = trace
+
+    def make_calls(self, module: ModuleType) -> None:
+        """Make all calls; for `run_program`, once the program has come to its end."""
+        for call in self._calls:
+            if self.late:
+                self.answers.append({"skipped": True})
+                continue
+            self.answers.append(self._answer(call, module))
+
+    # -- one call ------------------------------------------------------------
+
+    def _answer(self, call: dict[str, Any], module: ModuleType) -> dict[str, Any]:
+        names = vars(module)
+        if "set" in call:
+            names[call["set"]] = decoded(call["value"])
+            return {"value": None}
+        if "variable" in call:
+            name = call["variable"]
+            if name not in names:
+                known = [each for each in names if not each.startswith("_")]
+                return {"missing": name, "near": nearest(name, known)}
+            return {"value": encoded(names[name])}
+        name = call["function"]
+        function = names.get(name)
+        if name not in names:
+            return {"missing": name, "near": nearest(name, self._functions(names))}
+        if not callable(function):
+            return {"no function": got(function)}
+        arguments = [decoded(each) for each in call["arguments"]]
+        refused = _refused_parameters(function, arguments)
+        if refused is not None:
+            return {"parameters": refused}
+        return self._called(function, arguments, call.get("changes"))
+
+    def _functions(self, names: dict[str, Any]) -> list[str]:
+        return [
+            name
+            for name, each in names.items()
+            if inspect.isfunction(each) and each.__code__.co_filename == self._filename
+        ]
+
+    def _called(
+        self, function: Callable[..., Any], arguments: list[Any], changes: int | None
+    ) -> dict[str, Any]:
+        before = self._printed()
+        try:
+            # The value is taken apart in time as well: its classes may be the program's own.
+            value = self.patient(
+                lambda: encoded(_changed(function(*arguments), arguments, changes)), CALL_S
+            )
+        except (LimitReached, KeyboardInterrupt):
+            raise
+        except _TooLate:
+            self.late = True
+            return {"late": self.late_on}
+        except BaseException as error:
+            fault = fault_of(error, self._program, self._filename)
+            return {
+                "fault": {
+                    "type": fault.type,
+                    "message": fault.message,
+                    "line": fault.line,
+                    "hint": fault.hint,
+                }
+            }
+        answer = {"value": value}
+        if self._printed() != before:
+            answer["printed"] = True
+        return answer
+
+    def _printed(self) -> tuple[int, int]:
+        events = self._trace.events if self._trace is not None else []
+        prints = [event for event in events[-1:] if event[0] == "print"]
+        return len(events), len(prints[0][3]) if prints else 0
+
+    # -- patience ------------------------------------------------------------
+
+    def patient(self, work: Callable[[], Any], seconds: float) -> Any:
+        """Do some work, and end it if the program computes for more real seconds than that.
+
+        In a browser nothing interrupts a program from outside; so it is looked at on each of its
+        own lines. What computes inside one single line is ended by whoever runs the performer.
+        """
+        self._until = real_time() + seconds
+        before = sys.gettrace()
+        sys.settrace(self._on_line)
+        try:
+            return work()
+        finally:
+            sys.settrace(before)
+
+    def _on_line(self, frame: FrameType, _event: str, _argument: Any) -> Any:
+        if frame.f_code.co_filename != self._filename:
+            return None
+        if real_time() > self._until:
+            self.late_on = frame.f_lineno
+            raise _TooLate
+        return self._on_line
+
+
+def _changed(returned: Any, arguments: list[Any], changes: int | None) -> Any:
+    return returned if changes is None else arguments[changes]
+
+
+def _refused_parameters(function: Callable[..., Any], arguments: list[Any]) -> str | None:
+    """The parameters of a function that can't be called with these arguments, else None."""
+    try:
+        signature = inspect.signature(function)
+    except (TypeError, ValueError):
+        return None
+    try:
+        signature.bind(*arguments)
+    except TypeError:
+        return f"({', '.join(signature.parameters)})"[:100]
+    return None

@@ -1,0 +1,127 @@
+"""Executes a check.py, without ever running the learner's program: asks for jobs, gives the mark.
+
+May import: the standard library, the rest of `grader`.
+
+`step` knows nothing from one time to the next. It goes through all the checks with the results
+that are at hand; a check that needs one more stops there, and once all have been gone
+through, the jobs that are wanting are handed out. With their results everything is done again from
+the start. Checks are deterministic and cheap, so that is right, and no state has to be kept or
+trusted. One round does for most files, two for the rest.
+"""
+
+from __future__ import annotations
+
+import traceback
+from typing import Any
+
+from grader.declare import Check, checks_of
+from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramFailed
+from grader.fence import refusal
+from grader.jobs import Desk
+from grader.marks import NOT_RUN, PASSED, entry, failed_entry, mark_of
+from grader.task import Task
+
+__all__ = ["step"]
+
+_MOST_ROUNDS = 8
+"""Results of more jobs than this many times the checks: they are not deterministic."""
+
+
+def step(
+    check_source: str,
+    lesson: dict[str, Any],
+    task: str,
+    program: str,
+    results: list[Any],
+    *,
+    shift: int = 0,
+) -> dict[str, Any]:
+    """Go on with a marking: {"jobs": […]} if more is needed, else {"mark": …}.
+
+    check_source  text of the task's check.py
+    lesson        {"slug": …, "worlds": {name: data of the world}}: the lesson's own worlds
+    task          the task's name
+    program       the learner's program
+    results       of the jobs done so far, in any order
+    shift         added to every seed, for marking the same on other noise
+
+    Never raises: what goes wrong with the check.py is told in the mark, as our fault.
+    """
+    slug = str(lesson.get("slug"))
+    filename = f"lessons/{slug}/{task}/check.py"
+    try:
+        checks = checks_of(check_source, filename)
+    except Exception as error:
+        return {"mark": mark_of(slug, task, [], ours=_ours(error, filename))}
+    refused = refusal(program)
+    if refused is not None:
+        trouble = ProgramFailed(
+            "a program of the robot's calls and plain Python", refused, likely=None
+        )
+        entries = [failed_entry(checks[0].title, trouble, checks[0].hint)]
+        entries += [entry(each.title, NOT_RUN) for each in checks[1:]]
+        return {"mark": mark_of(slug, task, entries)}
+    desk = Desk(lesson, results, shift)
+    try:
+        states = [_begin(each, desk) for each in checks]
+        jobs = desk.wanted()
+        if jobs:
+            if len(results) > _MOST_ROUNDS * (len(checks) + 1):
+                raise AuthorError("its checks ask for something else each time they are run")
+            return {"jobs": jobs}
+        return {"mark": mark_of(slug, task, _judged(checks, states))}
+    except Exception as error:
+        entries = [entry(each.title, NOT_RUN) for each in checks]
+        return {"mark": mark_of(slug, task, entries, ours=_ours(error, filename))}
+
+
+_Begun = tuple[Task, CheckFailed | None]
+
+
+def _begin(check: Check, desk: Desk) -> _Begun:
+    """Go through a check as far as the results go; its calls are gathered, not judged yet."""
+    task = Task(check, desk)
+    try:
+        check.work(task)
+    except NeedsJob:
+        return task, None  # its calls are not complete: they are asked for when they are
+    except CheckFailed as failure:
+        return task, failure
+    task.ask()
+    return task, None
+
+
+def _judged(checks: list[Check], states: list[_Begun]) -> list[dict[str, Any]]:
+    answered = [pair for task, failure in states if failure is None for pair in task.answered()]
+    told: set[str] = set()
+    entries = []
+    for check, (task, failure) in zip(checks, states, strict=True):
+        try:
+            if failure is not None:
+                raise failure
+            task.judge(answered)
+        except NotRun:
+            entries.append(entry(check.title, NOT_RUN))
+        except CheckFailed as failed:
+            # The same trouble of the whole program is told once, not under every check.
+            same = isinstance(failed, ProgramFailed) and str(failed) in told
+            told.add(str(failed))
+            made = entry(check.title, NOT_RUN)
+            entries.append(made if same else failed_entry(check.title, failed, check.hint))
+        else:
+            entries.append(entry(check.title, PASSED))
+    return entries
+
+
+def _ours(error: Exception, filename: str) -> str:
+    """A fault of ours, in a sentence with the line of the check.py, if it has to do with one."""
+    lines = [
+        frame.lineno
+        for frame in traceback.extract_tb(error.__traceback__)
+        if frame.filename == filename
+    ]
+    if isinstance(error, SyntaxError) and error.filename == filename:
+        lines = [error.lineno]
+    where = f"{filename}, line {lines[-1]}" if lines else filename
+    kind = "" if isinstance(error, AuthorError) else f"{type(error).__name__}: "
+    return f"{where}: {kind}{error}"

@@ -1,0 +1,28 @@
+"""What marking a program may use up.
+
+May import: nothing.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+__all__ = ["CALLS_LIMITS", "CALL_S", "PROGRAM_S", "RUN_LIMITS"]
+
+RUN_LIMITS: dict[str, Any] = {
+    "simulated_s": 120.0,
+    "silent_s": 10.0,
+    "print_bytes": 200_000,
+    "trace_bytes": 24_000_000,
+    "real_s": 60.0,
+}
+"""Of a run; each check names its own simulated seconds. `real_s` is for whoever runs the
+performer: after so many real seconds the interpreter is ended."""
+
+CALLS_LIMITS = {**RUN_LIMITS, "real_s": 30.0}
+
+PROGRAM_S = 10.0
+"""Real seconds that a program may take to its end before its functions are called."""
+
+CALL_S = 2.0
+"""Real seconds that one call of a learner's function may take."""

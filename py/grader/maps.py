@@ -1,0 +1,255 @@
+"""The map that a run has drawn, and what is expected of it.
+
+May import: the standard library, `bugbot.errors`, `mapping`, `grader.failures`, `grader.scans`.
+
+A map is judged by what is drawn on the mat: squares in two layers, one of the cells that it calls
+free and one of those it calls occupied. What variables hold it in the program is nobody's business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from bugbot.errors import WrongValueError, nearest
+from bugbot.frames import MAT_CM
+from mapping.frontiers import State, known_states
+from mapping.grid import Grid
+from mapping.mapper import Mapper
+from mapping.score import Score, score
+
+if TYPE_CHECKING:
+    from grader.runs import Run
+
+__all__ = ["Map", "drawn_map", "reference_map"]
+
+_OFF_CENTRE = 0.25
+"""A square may be so much of its side from the middle of its cell."""
+
+
+class Map:
+    """What is known of each cell, drawn by a run or made by the reference.
+
+    Each expectation returns the map, so that they can be written one after the other.
+    """
+
+    def __init__(self, run: Run, grid: Grid, states: Sequence[State], seconds: float) -> None:
+        self.run = run
+        self.grid = grid
+        self.states = list(states)
+        self.seconds = seconds
+
+    @cached_property
+    def score(self) -> Score:
+        """The map against the truth, as `mapping.score` counts."""
+        return score(self.grid, self.states, self.run.obstacles)
+
+    # -- expectations --------------------------------------------------------
+
+    def known(self, at_least: float = 0.0, at_most: float = 100.0) -> Map:
+        """Expect so many per cent of the mat to be known: free or occupied."""
+        percent = self.score.known_percent
+        if percent < at_least:
+            unknown = self._cells(i for i, s in enumerate(self.states) if s is State.UNKNOWN)
+            self._fail(f"at least {at_least:g} % of the mat known", f"{percent:.1f} %", unknown)
+        if percent > at_most:
+            words = f"at most {at_most:g} % of the mat known: the rest can't be seen from there"
+            self._fail(words, f"{percent:.1f} %", [])
+        return self
+
+    def wrong_walls(self, at_most: float) -> Map:
+        """Expect at most so many per cent of the occupied cells to have nothing real near."""
+        percent = self.score.wrong_walls_percent
+        if percent > at_most:
+            self._fail(
+                f"at most {at_most:g} % of the occupied cells more than a cell from anything real",
+                f"{percent:.1f} %: {len(self.score.wrong_walls)} of {self.score.occupied} cells",
+                self._cells(self.score.wrong_walls),
+            )
+        return self
+
+    def wrong_floor(self, at_most: float) -> Map:
+        """Expect at most so many per cent of the free cells to be inside an obstacle."""
+        wrong, free = self.score.wrong_floor, self.score.free
+        percent = 100.0 * len(wrong) / max(1, free)
+        if percent > at_most:
+            self._fail(
+                f"at most {at_most:g} % of the free cells inside something solid",
+                f"{percent:.1f} %: {len(wrong)} of {free} cells",
+                self._cells(wrong),
+            )
+        return self
+
+    def cells_of(self, cell_cm: float) -> Map:
+        """Expect cells of this side [cm]."""
+        if abs(self.grid.cell_cm - cell_cm) > 1e-6:
+            self._fail(f"cells of {cell_cm:g} cm", f"cells of {self.grid.cell_cm:g} cm", [])
+        return self
+
+    def cell(self, x: float, y: float, state: str) -> Map:
+        """Expect the cell that holds a point to be "free", "occupied" or "unknown"."""
+        wanted = State[state.upper()]
+        index = self.grid.index_at(x, y)
+        if index is not None and self.states[index] is not wanted:
+            self._fail(
+                f"the cell at ({x:g}, {y:g}) {state}",
+                self.states[index].name.lower(),
+                self._cells([index]),
+            )
+        return self
+
+    def agrees(self, other: Map, at_least: float = 95.0) -> Map:
+        """Expect so many per cent of the cells known in either map to be the same in both."""
+        self.cells_of(other.grid.cell_cm)
+        percent = self.agreement(other)
+        if percent < at_least:
+            differing = [
+                index
+                for index, pair in enumerate(zip(self.states, other.states, strict=True))
+                if pair[0] is not pair[1]
+            ]
+            self._fail(
+                f"a map that is what its scans say in at least {at_least:g} % of the known cells",
+                f"{percent:.1f} %: {len(differing)} cells differ",
+                self._cells(differing),
+            )
+        return self
+
+    # -- values --------------------------------------------------------------
+
+    def agreement(self, other: Map) -> float:
+        """Per cent of the cells known in either map that are the same in both; 0 if none are."""
+        if len(self.states) != len(other.states):
+            return 0.0
+        pairs = [
+            pair
+            for pair in zip(self.states, other.states, strict=True)
+            if pair != (State.UNKNOWN, State.UNKNOWN)
+        ]
+        return 100.0 * sum(a is b for a, b in pairs) / max(1, len(pairs))
+
+    def looks_like(self, other: Map, at_least: float = 97.0) -> bool:
+        """Whether it is (nearly) that map, and more so than the right one: for naming slips."""
+        agreement = self.agreement(other)
+        right = self.run.mapped(cell_cm=other.grid.cell_cm)
+        return agreement >= at_least and agreement > self.agreement(right)
+
+    # -- evidence ------------------------------------------------------------
+
+    def must_have_been_seen(self) -> None:
+        """Refuse a map of cells where no beam of its run has been."""
+        seen = self.run.touched(self.grid, self.seconds)
+        known = [index for index, state in enumerate(self.states) if state is not State.UNKNOWN]
+        unseen = [index for index in known if index not in seen]
+        if len(unseen) > max(3, len(known) // 50):
+            raise self.run.failure(
+                "a map only of cells that a beam of this run has passed or hit",
+                f"{len(unseen)} of its {len(known)} known cells lie where no beam has been",
+                cells=self._cells(unseen),
+                cell_cm=self.grid.cell_cm,
+                seconds=self.seconds,
+                likely="cells are drawn as known before anything was seen of them",
+            )
+
+    # -- inside --------------------------------------------------------------
+
+    def _cells(self, indices: Any) -> list[tuple[int, int]]:
+        return [self.grid.cell(index) for index in indices]
+
+    def _fail(self, expected: str, got: str, cells: list[tuple[int, int]]) -> None:
+        raise self.run.failure(
+            expected, got, cells=cells, cell_cm=self.grid.cell_cm, seconds=self.seconds
+        )
+
+
+def reference_map(run: Run, mapper: Mapper, known: float, seconds: float) -> Map:
+    """The map that a mapper of the reference has made of a run's scans."""
+    return Map(run, mapper.grid, known_states(mapper.grid.cells, known), seconds)
+
+
+def drawn_map(run: Run, layers: dict[str, State], seconds: float) -> Map:
+    """The map in those layers as they were at a time; fails if it is none."""
+    grid: Grid | None = None
+    states: list[State] = []
+    for name, state in layers.items():
+        drawn = _layer(run, name, seconds)
+        if drawn["shape"] != "squares":
+            raise run.failure(
+                f'the layer "{name}" drawn as squares',
+                f"it is drawn as {drawn['shape']}",
+                likely=f'the shape is missing: draw("{name}", points, colour, "squares", CELL)',
+            )
+        if grid is None:
+            grid = _grid(run, name, drawn["size"])
+            states = [State.UNKNOWN] * len(grid.cells)
+        elif grid.cell_cm != drawn["size"]:
+            raise run.failure(
+                "all layers of the map with cells of one size",
+                f'"{name}" has squares of {drawn["size"]:g} cm, the layer before {grid.cell_cm:g}',
+            )
+        _fill(run, grid, states, name, state, drawn["points"], seconds)
+    assert grid is not None
+    return Map(run, grid, states, seconds)
+
+
+def _layer(run: Run, name: str, seconds: float) -> dict[str, Any]:
+    layers = run.layers(seconds)
+    if name not in layers:
+        others = ", ".join(f'"{each}"' for each in layers) or "none"
+        near = nearest(name, layers)
+        raise run.failure(
+            f'a layer named "{name}", drawn with draw("{name}", …)',
+            f"the layers drawn are: {others}",
+            likely=f'the layer "{near}" is the one that is meant' if near else None,
+        )
+    return layers[name]
+
+
+def _grid(run: Run, name: str, size: float) -> Grid:
+    try:
+        return Grid(size)
+    except WrongValueError:
+        raise run.failure(
+            f'squares of the side of a cell in the layer "{name}"', f"squares of {size:g} cm"
+        ) from None
+
+
+def _fill(
+    run: Run,
+    grid: Grid,
+    states: list[State],
+    name: str,
+    state: State,
+    points: list[tuple[float, float]],
+    seconds: float,
+) -> None:
+    both = []
+    for x, y in points:
+        # Cells that hang over the far edges have their middle beyond the mat.
+        index = grid.index_at(min(x, MAT_CM - 1e-6), min(y, MAT_CM - 1e-6))
+        off = 0.0
+        if index is not None:
+            middle = grid.centre(index)
+            off = max(abs(x - middle[0]), abs(y - middle[1]))
+        if index is None or off > _OFF_CENTRE * grid.cell_cm:
+            what = "beyond the mat" if index is None else "not in the middle of a cell"
+            raise run.failure(
+                f'each square of the layer "{name}" in the middle of a cell of {grid.cell_cm:g} cm',
+                f"the square at ({x:g}, {y:g}) is {what}",
+                likely=None
+                if index is None
+                else "a square is drawn round its point: the middle is half a cell from the corner",
+                seconds=seconds,
+            )
+        if states[index] not in (State.UNKNOWN, state):
+            both.append(grid.cell(index))
+        states[index] = state
+    if both:
+        raise run.failure(
+            "each cell either free or occupied",
+            f"{len(both)} cells are drawn as both",
+            cells=both,
+            cell_cm=grid.cell_cm,
+            seconds=seconds,
+        )

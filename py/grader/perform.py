@@ -1,0 +1,126 @@
+"""Does one job in an interpreter of its own: runs the learner's program, calls its functions.
+
+May import: the standard library, `bugbot`, `grader.calling`, `grader.fence`,
+`grader.limits`.
+
+Nothing that would tell what is right is here: what comes back is what the program did and
+answered, and whether that is right is judged elsewhere. The interpreter is ended afterwards
+by whoever started it, and so nothing of what a program did to it outlives the job.
+"""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from bugbot.run.limits import Limits
+from bugbot.run.program import run_program
+from bugbot.trace import Trace
+from grader.calling import Caller
+from grader.fence import fenced, refusal
+from grader.limits import PROGRAM_S
+
+__all__ = ["PROGRAM", "perform"]
+
+PROGRAM = "program.py"
+"""What the learner's program is called in messages."""
+
+_MOST_LATE = 2
+"""After so many groups with a call that never came back, the others are not begun."""
+
+
+def perform(
+    job: dict[str, Any], program: str, on_flush: Callable[[], None] | None = None
+) -> dict[str, Any]:
+    """Do a job with a learner's program; jobs and results are described in `grader.jobs`.
+
+    on_flush  called often during a run, from the robot's calls and from printing: a page hears
+              by it that the program still gets on
+    """
+    refused = refusal(program)
+    if refused is not None:
+        return _result(job, died=refused)
+    with fenced(PROGRAM):
+        if job["kind"] == "run":
+            return _run(job, program, on_flush)
+        return _calls(job, program)
+
+
+def _result(job: dict[str, Any], **parts: Any) -> dict[str, Any]:
+    empty = {"trace": None, "outcome": None, "answers": None, "died": None}
+    return {"id": job["id"], **empty, **parts}
+
+
+def _limits(job: dict[str, Any]) -> Limits:
+    limits = job["limits"]
+    return Limits(
+        simulated_s=limits["simulated_s"],
+        silent_s=limits["silent_s"],
+        print_bytes=limits["print_bytes"],
+        trace_bytes=limits["trace_bytes"],
+    )
+
+
+def _run(job: dict[str, Any], program: str, on_flush: Callable[[], None] | None) -> dict[str, Any]:
+    trace = run_program(
+        program,
+        job["world"],
+        job["seed"],
+        limits=_limits(job),
+        filename=PROGRAM,
+        on_flush=on_flush,
+    )
+    end = _end_of(trace)
+    events, points = trace.take()
+    record = {"events": events, "points": b64encode(points).decode("ascii")}
+    return _result(job, trace=record, outcome=end)
+
+
+def _end_of(trace: Trace) -> dict[str, Any]:
+    end = next(trace.of_kind("end"))
+    return {"status": end["status"], "seconds": end["t"], "message": end["message"]}
+
+
+def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
+    answers: list[dict[str, Any]] = []
+    late = 0
+    for group in job["groups"]:
+        if late >= _MOST_LATE:
+            answers.append({"skipped": True})
+            continue
+        caller = Caller(group["calls"], program, PROGRAM)
+        run = partial(
+            run_program,
+            program,
+            group["world"],
+            group["seed"],
+            limits=_limits(job),
+            filename=PROGRAM,
+            trace_ready=caller.follow,
+            then=caller.make_calls,
+        )
+        trace = caller.patient(run, PROGRAM_S)
+        late += caller.late
+        if caller.late_on is not None and not caller.late:
+            late = _MOST_LATE  # the program itself went on and on: so it would every time
+        answers.append(_reply(trace, caller))
+    return _result(job, answers=answers)
+
+
+def _reply(trace: Trace, caller: Caller) -> dict[str, Any]:
+    """What a group came to: how the program ended, and the answers up to then."""
+    fault = next(trace.of_kind("fault"), None)
+    reply = {
+        **_end_of(trace),
+        "answers": caller.answers,
+        "fault": fault and {key: fault[key] for key in ("type", "message", "line", "hint")},
+    }
+    if caller.late_on is not None and not caller.late:
+        words = (
+            f"Stopped on line {caller.late_on} after {PROGRAM_S:g} s of computing: "
+            "is there a loop that never ends?"
+        )
+        return {**reply, "status": "limit", "message": words, "fault": None}
+    return reply

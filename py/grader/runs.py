@@ -1,0 +1,346 @@
+"""A run of the learner's program: what came of it, and what is expected of it.
+
+May import: the standard library, `bugbot`, `mapping`, the rest of `grader`.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Sequence
+from copy import copy
+from typing import Any
+
+from bugbot.errors import nearest
+from bugbot.frames import wrap_heading
+from bugbot.run.outcome import outcome_of
+from bugbot.sim.odometry import Odometry
+from bugbot.trace import Trace
+from bugbot.worlds import Start, World
+from grader.declare import Mistake
+from grader.failures import AuthorError, CheckFailed, ProgramFailed
+from grader.functions import fault_text
+from grader.jobs import died_of
+from grader.lines import Line
+from grader.maps import Map, drawn_map, reference_map
+from grader.scans import Scan, SeenAs, evidence_at, mapper_of, scans_of, touched
+from grader.traces import trace_from
+from grader.trust import doubt
+from grader.values import MalformedError
+from mapping.beam import PassedBy, Weights, passed_by_steps
+from mapping.frontiers import State
+from mapping.grid import Grid
+from mapping.log_odds import KNOWN
+from mapping.score import Rectangle
+
+__all__ = ["Run"]
+
+_END = float("inf")
+
+
+class Run:
+    """One run on one world with one seed. Everything is read from its trace.
+
+    seconds    simulated seconds it took
+    start      where the robot stood at first (x, y, heading) on the mat
+    obstacles  what really stands there: (x, y, width, height)
+    path       [(t, x, y, heading)], the true poses
+    scans      its looks, each with .t .x .y .heading .beams [(angle, reading)]
+    console    all that it printed
+    drift      how fast its gyro really drifted [degrees/s]
+    """
+
+    def __init__(self, job: dict[str, Any], trace: Trace | None, trouble: CheckFailed | None):
+        self._job = job
+        self._trace = trace
+        self._trouble = trouble
+        self._mistakes: tuple[Mistake, ...] = ()
+        self._maps: list[Map] = []
+        self._touched: dict[tuple[float, float], set[int]] = {}
+        self._world = World.from_dict(job["world"])
+        self.start: Start = self._world.start
+        self.obstacles: list[Rectangle] = [
+            (each.x, each.y, each.width, each.height) for each in self._world.obstacles
+        ]
+        self.drift = Odometry(wrap_heading(self.start.heading), job["seed"]).drift_deg_s
+        self.seconds = 0.0
+        self.console = ""
+        self._series: dict[str, list[list[float]]] = {}
+        self.path: list[tuple[float, float, float, float]] = []
+        self.scans: list[Scan] = []
+        if trace is not None:
+            outcome = outcome_of(trace)
+            self.seconds = outcome["seconds"]
+            self.console = outcome["console"]
+            self._series = outcome["series"]
+            self.path = [event[1:5] for event in trace.events if event[0] == "pose"]
+            self.scans = scans_of(trace)
+
+    # -- for Task ------------------------------------------------------------
+
+    @classmethod
+    def of(cls, job: dict[str, Any], result: dict[str, Any]) -> Run:
+        """The run that a performer reports."""
+        died = died_of(result)
+        if died is not None:
+            return cls(job, None, _program_failed("a program that comes to its end", died, job))
+        try:
+            trace = trace_from(
+                result.get("trace"), job["world"], job["seed"], job["limits"]["simulated_s"]
+            )
+        except MalformedError as error:
+            words = f"the run left no record that can be read: {error}"
+            return cls(job, None, _program_failed("a run of the robot", words, job))
+        return cls(job, trace, _trouble(job, trace))
+
+    def with_mistakes(self, mistakes: tuple[Mistake, ...]) -> Run:
+        """The same run, looked at by a check that knows these slips."""
+        run = copy(self)
+        run._mistakes = mistakes
+        run._maps = []
+        return run
+
+    def must_have_ended(self) -> None:
+        """Refuse a run that did not come to its end, or can't have been."""
+        if self._trouble is None:
+            return
+        mistake = self._mistake() if self._trace is not None else None
+        if mistake is not None and self._trouble.likely is None:
+            raise ProgramFailed(
+                self._trouble.expected,
+                self._trouble.got,
+                likely=mistake.text,
+                hint=mistake.hint,
+                where=self._trouble.where,
+            )
+        raise self._trouble
+
+    def must_have_seen_its_maps(self) -> None:
+        """Refuse maps, among those looked at, of cells where no beam has been."""
+        for each in self._maps:
+            each.must_have_been_seen()
+
+    def failure(
+        self,
+        expected: str,
+        got: str,
+        *,
+        cells: Iterable[tuple[int, int]] = (),
+        cell_cm: float = 5.0,
+        seconds: float | None = None,
+        likely: str | None = None,
+        hint: int | None = None,
+    ) -> CheckFailed:
+        """A failed expectation about this run, with the slip that it looks like."""
+        mistake = self._mistake() if likely is None else None
+        return CheckFailed(
+            expected,
+            got,
+            likely=mistake.text if mistake else likely,
+            hint=mistake.hint if mistake and mistake.hint is not None else hint,
+            where=_where(self._job, seconds, cells, cell_cm),
+        )
+
+    def _mistake(self) -> Mistake | None:
+        plain = self.with_mistakes(())
+        for mistake in self._mistakes:
+            try:
+                if mistake.slip(plain):
+                    return mistake
+            except CheckFailed:  # it asks for a map or a line that is not there
+                continue
+        return None
+
+    # -- maps ----------------------------------------------------------------
+
+    def map(self, at: float | None = None, free: str = "free", occupied: str = "occupied") -> Map:
+        """The map drawn in these two layers, at the end or at a time [s]."""
+        seconds = self.seconds if at is None else at
+        layers = {free: State.FREE, occupied: State.OCCUPIED}
+        drawn = drawn_map(self, layers, seconds)
+        self._maps.append(drawn)
+        return drawn
+
+    def mapped(
+        self,
+        cell_cm: float = 5.0,
+        weights: Weights = Weights(),  # noqa: B008 - it is frozen
+        passed_by: PassedBy = passed_by_steps,
+        known: float = KNOWN,
+        seen_as: SeenAs | None = None,
+    ) -> Map:
+        """The reference's map of this run's scans, taken as they were or as a slip would."""
+        mapper = mapper_of(self.scans, cell_cm, weights, passed_by, seen_as)
+        return reference_map(self, mapper, known, self.seconds)
+
+    def evidence_at(
+        self,
+        x: float,
+        y: float,
+        cell_cm: float = 5.0,
+        weights: Weights = Weights(),  # noqa: B008 - it is frozen
+        passed_by: PassedBy = passed_by_steps,
+        seen_as: SeenAs | None = None,
+    ) -> list[tuple[float, float]]:
+        """Time and log odds, at first and after each scan, of the cell that holds a point."""
+        return evidence_at(self.scans, x, y, cell_cm, weights, passed_by, seen_as)
+
+    def touched(self, grid: Grid, seconds: float) -> set[int]:
+        """The cells that beams of this run, up to a time, may have spoken of."""
+        key = (grid.cell_cm, seconds)
+        if key not in self._touched:
+            scans = [scan for scan in self.scans if scan.t <= seconds + 1e-6]
+            self._touched[key] = touched(scans, grid)
+        return self._touched[key]
+
+    def layers(self, seconds: float = _END) -> dict[str, dict[str, Any]]:
+        """The layers as they were drawn last up to a time, with their points."""
+        trace = self._trace
+        if trace is None:
+            return {}
+        last = {
+            event["name"]: event for event in trace.of_kind("layer") if event["t"] <= seconds + 1e-6
+        }
+        return {name: {**event, "points": trace.points_of(event)} for name, event in last.items()}
+
+    def layer(self, name: str) -> list[tuple[float, float]]:
+        """The points of a layer at the end; fails if it was never drawn."""
+        layers = self.layers()
+        if name not in layers:
+            others = ", ".join(f'"{each}"' for each in layers) or "none"
+            raise self.failure(f'a layer named "{name}"', f"the layers drawn are: {others}")
+        points: list[tuple[float, float]] = layers[name]["points"]
+        return points
+
+    # -- chart and console ---------------------------------------------------
+
+    def line(self, name: str) -> Line:
+        """A line of the chart; fails if nothing was plotted under that name."""
+        if name not in self._series:
+            others = ", ".join(f'"{each}"' for each in self._series) or "none"
+            near = nearest(name, self._series)
+            raise self.failure(
+                f'a line named "{name}" in the chart, drawn with plot("{name}", …)',
+                f"the lines plotted are: {others}",
+                likely=f'the line "{near}" is the one that is meant' if near else None,
+            )
+        return Line(self, name, [(t, value) for t, value in self._series[name]])
+
+    def prints(self, text: str) -> Run:
+        """Expect a text in what was printed."""
+        if text not in self.console:
+            raise self.failure(f"{text!r} printed", self._printed())
+        return self
+
+    def number_after(self, text: str) -> float:
+        """The number printed after a text, the last one; fails if there is none."""
+        pattern = re.escape(text) + r"[^-+\d\n]{0,20}([-+]?\d+\.?\d*(?:[eE][-+]?\d+)?)"
+        found = re.findall(pattern, self.console)
+        if not found:
+            raise self.failure(f"a number printed after {text!r}", self._printed())
+        return float(found[-1])
+
+    def _printed(self) -> str:
+        lines = self.console.strip().splitlines()
+        if not lines:
+            return "nothing is printed"
+        return f"the last line printed is {lines[-1][:80]!r}"
+
+    # -- driving -------------------------------------------------------------
+
+    def visits(
+        self, is_there: Callable[[float, float], object], what: str, by: float | None = None
+    ) -> Run:
+        """Expect the robot to come to where `is_there(x, y)` holds, by a time if need be."""
+        end = _END if by is None else by
+        if not any(is_there(x, y) for t, x, y, _ in self.path if t <= end):
+            _, x, y, _ = self.path[-1]
+            when = "" if by is None else f" within {by:g} s"
+            raise self.failure(
+                f"the robot to reach {what}{when}",
+                f"it never did; it ended at ({x:.0f}, {y:.0f})",
+                seconds=self.seconds,
+            )
+        return self
+
+    def never_bumps(self) -> Run:
+        """Expect the robot to touch nothing."""
+        bumps = list(self._trace.of_kind("bump")) if self._trace else []
+        if bumps:
+            first = bumps[0]
+            times = "once" if len(bumps) == 1 else f"{len(bumps)} times"
+            raise self.failure(
+                "the robot to touch nothing",
+                f"it touched something {times}, first at {first['t']:.1f} s",
+                cells=[(int(first["x"] // 5), int(first["y"] // 5))],
+                seconds=first["t"],
+            )
+        return self
+
+    def took(self, at_most: float) -> Run:
+        """Expect the run to be over after so many simulated seconds."""
+        if self.seconds > at_most:
+            raise self.failure(
+                f"a run of at most {at_most:g} s", f"{self.seconds:.1f} s", seconds=at_most
+            )
+        return self
+
+    def scanned(self, at_least: int) -> Run:
+        """Expect so many looks with the depth sensor."""
+        if len(self.scans) < at_least:
+            raise self.failure(f"at least {at_least} scans", f"{len(self.scans)}")
+        return self
+
+    def pose_at(self, seconds: float) -> tuple[float, float, float]:
+        """True x, y, heading of the robot at a time: the last record up to then."""
+        if not self.path:
+            raise AuthorError("pose_at() asks for the path of a run that has none")
+        index = bisect_right([pose[0] for pose in self.path], seconds + 1e-9)
+        return self.path[max(0, index - 1)][1:]
+
+
+def _trouble(job: dict[str, Any], trace: Trace) -> CheckFailed | None:
+    """What keeps a run from being judged: it was cut short, or can't have happened."""
+    fault = next(trace.of_kind("fault"), None)
+    end = next(trace.of_kind("end"))
+    if fault is not None:
+        words = "a program that runs without an error"
+        return _program_failed(words, fault_text(fault), job, fault["t"], fault["hint"])
+    if end["status"] != "finished":
+        limit = job["limits"]["simulated_s"]
+        words = f"a program that comes to its end, within {limit:g} simulated seconds"
+        return _program_failed(words, end["message"], job, end["t"])
+    found = doubt(trace, World.from_dict(job["world"]))
+    if found is not None:
+        reason, seconds = found
+        words = "a run that the robot can have made"
+        got = f"{reason} (at {seconds:.2f} s)"
+        return _program_failed(
+            words, got, job, seconds, "the program has got behind the robot's calls"
+        )
+    return None
+
+
+def _program_failed(
+    expected: str,
+    got: str,
+    job: dict[str, Any],
+    seconds: float | None = None,
+    likely: str | None = None,
+) -> ProgramFailed:
+    return ProgramFailed(expected, got[:600], likely=likely, where=_where(job, seconds))
+
+
+def _where(
+    job: dict[str, Any],
+    seconds: float | None,
+    cells: Iterable[Sequence[int]] = (),
+    cell_cm: float = 5.0,
+) -> dict[str, Any]:
+    return {
+        "world": job["world"],
+        "cells": [list(cell) for cell in cells],
+        "cell_cm": cell_cm,
+        "seconds": seconds,
+        "job": job["id"],
+    }

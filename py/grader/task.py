@@ -1,0 +1,227 @@
+"""What a check is handed: the words in which it asks and expects.
+
+May import: the standard library, the rest of `grader`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from random import Random
+from typing import Any
+
+from grader.compare import Compare, exactly
+from grader.declare import Check, Function, mistakes_of
+from grader.failures import AuthorError, CheckFailed, NotRun, ProgramFailed
+from grader.functions import (
+    NOT_SAID,
+    Answered,
+    Call,
+    Look,
+    Set,
+    Step,
+    fault_text,
+    judge_steps,
+)
+from grader.jobs import Desk, Group
+from grader.runs import Run
+from grader.values import shown
+
+__all__ = ["Task"]
+
+_NO_WORLD = "empty"
+
+
+class Task:
+    """One check at work. Calls are gathered and judged at its end; runs at once.
+
+    random  a generator of its own: the same for every learner, another for each check
+    """
+
+    def __init__(self, check: Check, desk: Desk) -> None:
+        self.random = Random(f"{check.title}:{desk.shift}")
+        self._desk = desk
+        self._plans: list[tuple[Group, list[Step]]] = []
+        self._runs: list[Run] = []
+
+    # -- functions -----------------------------------------------------------
+
+    def call(
+        self,
+        function: Function,
+        *arguments: Any,
+        gives: Any = NOT_SAID,
+        world: str = _NO_WORLD,
+        seed: int = 1,
+    ) -> None:
+        """Call the learner's function and compare its answer with what is right.
+
+        gives        the answer, said outright; without it the reference says it
+        world, seed  where the robot stands meanwhile, if the function uses it
+        """
+        if not isinstance(function, Function):
+            raise AuthorError(
+                "task.call(function, …) wants what function(…) made; it got " + shown(function)
+            )
+        most = len(function.parameters)
+        if len(arguments) > most:
+            raise AuthorError(
+                f"{function.signature} takes {most}; task.call gives it {len(arguments)}"
+            )
+        self._add(Call(function, arguments, gives), world, seed)
+
+    def set(self, name: str, value: Any, world: str = _NO_WORLD, seed: int = 1) -> None:
+        """Set a variable of the learner's program for the calls after this."""
+        self._add(Set(name, value), world, seed)
+
+    def variable(
+        self,
+        name: str,
+        gives: Any = NOT_SAID,
+        compare: Compare = exactly,
+        world: str = _NO_WORLD,
+        seed: int = 1,
+    ) -> None:
+        """Look at a variable of the learner's program after the calls before this."""
+        self._add(Look(name, gives, compare), world, seed)
+
+    def _add(self, step: Step, world: str, seed: int) -> None:
+        data = self._desk.world(world)
+        at = seed + self._desk.shift
+        plan = next(
+            (each for each in self._plans if each[0].world == data and each[0].seed == at), None
+        )
+        if plan is None:
+            plan = (Group(data, at), [])
+            self._plans.append(plan)
+        plan[0].calls.append(step.request())
+        plan[1].append(step)
+
+    # -- runs ----------------------------------------------------------------
+
+    def run(
+        self,
+        world: str,
+        seed: int = 1,
+        seconds: float = 120.0,
+        mistakes: Sequence[tuple[Any, ...]] = (),
+    ) -> Run:
+        """Run the learner's program, which must end by itself and without a fault.
+
+        world     a world's name: of the lesson's own, or of bugbot
+        seed      of all its noise
+        seconds   simulated seconds that it may take
+        mistakes  likely slips: (what the learner is told, run -> whether it looks like it[, hint])
+        """
+        job, result = self._desk.run(world, seed, seconds)
+        slips = mistakes_of(mistakes, "task.run(…)")
+        key = job["id"]
+        if key not in self._desk.kept:
+            self._desk.kept[key] = Run.of(job, result)
+        run: Run = self._desk.kept[key].with_mistakes(slips)
+        self._runs.append(run)
+        run.must_have_ended()
+        return run
+
+    # -- anything else -------------------------------------------------------
+
+    def expect(
+        self,
+        condition: object,
+        *,
+        expected: str,
+        got: str,
+        run: Run | None = None,
+        cells: Iterable[tuple[int, int]] = (),
+        cell_cm: float = 5.0,
+        seconds: float | None = None,
+        likely: str | None = None,
+        hint: int | None = None,
+    ) -> None:
+        """State an expectation of your own: what was expected and got, in words, and where."""
+        if condition:
+            return
+        if run is not None:
+            raise run.failure(
+                expected,
+                got,
+                cells=cells,
+                cell_cm=cell_cm,
+                seconds=seconds,
+                likely=likely,
+                hint=hint,
+            )
+        raise CheckFailed(expected, got, likely=likely, hint=hint)
+
+    def near(
+        self, got: float, expected: float, within: float, what: str, run: Run | None = None
+    ) -> None:
+        """Expect a number, within so much; `what` names it: "the drift in degrees/s"."""
+        self.expect(
+            abs(got - expected) <= within,
+            expected=f"{what} is {shown(round(expected, 3))}, within {within:g}",
+            got=shown(got),
+            run=run,
+        )
+
+    # -- for the judge -------------------------------------------------------
+
+    def ask(self) -> None:
+        """Have the gathered calls made."""
+        for group, _ in self._plans:
+            self._desk.ask(group)
+
+    def answered(self) -> list[Answered]:
+        """The calls that have been answered, with their answers; none that went wrong."""
+        found: list[Answered] = []
+        for group, steps in self._plans:
+            reply, _ = self._desk.answers(group)
+            for step, answer in zip(steps, _answers_in(reply), strict=False):
+                if isinstance(step, Call) and ("value" in answer or "fault" in answer):
+                    found.append((step, answer))
+        return found
+
+    def judge(self, others: Iterable[Answered]) -> None:
+        """Hold the gathered calls against what is right, and the runs' maps against evidence."""
+        for group, steps in self._plans:
+            reply, died = self._desk.answers(group)
+            answers = _answers_in(reply)
+            judge_steps(steps, answers, others, group.world)
+            if died is not None:
+                raise ProgramFailed("a program whose functions can be called", died)
+            if len(answers) < len(steps):
+                raise _cut_short(reply, group, len(answers))
+        for run in self._runs:
+            run.must_have_seen_its_maps()
+
+
+def _answers_in(reply: Any) -> list[dict[str, Any]]:
+    """The answers of one group, as far as they can be read."""
+    answers = reply.get("answers") if isinstance(reply, dict) else None
+    if not isinstance(answers, list):
+        return []
+    sound = []
+    for each in answers:
+        if not isinstance(each, dict) or each.get("skipped"):
+            break
+        sound.append(each)
+    return sound
+
+
+def _cut_short(reply: Any, group: Group, answered: int) -> CheckFailed:
+    """Why there are fewer answers than calls: the program never got so far."""
+    if not isinstance(reply, dict):
+        return ProgramFailed("answers from the program", "what came back from it was garbled")
+    if reply.get("skipped"):
+        raise NotRun
+    fault = reply.get("fault")
+    if isinstance(fault, dict):
+        return ProgramFailed(
+            "a program that runs without an error", fault_text(fault), likely=fault.get("hint")
+        )
+    if reply.get("status") == "limit":
+        return ProgramFailed("a program that comes to its end", str(reply.get("message"))[:600])
+    if reply.get("status") == "finished" and not answered:
+        return ProgramFailed(
+            "a program whose functions can be called", str(reply.get("message"))[:600]
+        )
+    return ProgramFailed("answers to all calls", "the program was ended before it gave them")

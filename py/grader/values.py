@@ -1,0 +1,184 @@
+"""Values on their way between a learner's program and its judge, and as messages show them.
+
+May import: the standard library, `grader.failures`.
+
+A value is taken apart by its exact type into plain JSON and put together again on the other
+side. So what a program's own class says of itself (`__eq__` that is always True, `__repr__`
+that shows the right answer) never reaches the judge. An integer is a JSON number; a
+float is written as text, because JavaScript on the way would make 2 of 2.0.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from math import isfinite
+from typing import Any
+
+__all__ = ["MalformedError", "Other", "decoded", "encoded", "shown"]
+
+_MOST_PARTS = 50_000
+_DEEPEST = 12
+_LONGEST_TEXT = 100_000
+_EXACT = 2**53
+"""Integers beyond this do not survive as JSON numbers."""
+
+
+class MalformedError(Exception):
+    """What came back is not what `encoded` makes."""
+
+
+class Other:
+    """Stands for an answer that is no plain value; `what` says what it was."""
+
+    def __init__(self, what: str) -> None:
+        self.what = what
+
+
+class _TooMuchError(Exception):
+    pass
+
+
+def encoded(value: object) -> Any:
+    """The value as JSON; what is no plain value becomes {"other": its type's name}.
+
+    >>> encoded((2, 1.5, None))
+    {'tuple': [2, {'float': '1.5'}, None]}
+    """
+    parts = [0]
+    try:
+        return _encode(value, 0, parts)
+    except _TooMuchError:
+        return {"other": f"a {_kind(value)} of more than {_MOST_PARTS} parts, or {_DEEPEST} deep"}
+
+
+def _encode(value: Any, depth: int, parts: list[int]) -> Any:
+    parts[0] += 1
+    if parts[0] > _MOST_PARTS or depth > _DEEPEST:
+        raise _TooMuchError
+    kind = type(value)
+    if value is None or kind is bool:
+        return value
+    if kind is str:
+        return value[:_LONGEST_TEXT]
+    if issubclass(kind, int):
+        number = int.__add__(value, 0)
+        return number if -_EXACT < number < _EXACT else {"int": hex(number)[:5000]}
+    if issubclass(kind, float):
+        return {"float": repr(float.__add__(value, 0.0))}
+    if kind.__module__ == "numpy" and hasattr(value, "tolist"):
+        return _encode(value.tolist(), depth, parts)
+    if kind is list and value and all(type(each) is float for each in value):
+        parts[0] += len(value)
+        if all(map(isfinite, value)) and parts[0] <= _MOST_PARTS:
+            return {"floats": value}
+    if issubclass(kind, list):
+        return [_encode(each, depth + 1, parts) for each in list.__iter__(value)]
+    if issubclass(kind, deque):
+        return [_encode(each, depth + 1, parts) for each in deque.__iter__(value)]
+    if issubclass(kind, tuple):
+        return {"tuple": [_encode(each, depth + 1, parts) for each in tuple.__iter__(value)]}
+    if issubclass(kind, set):
+        return {"set": [_encode(each, depth + 1, parts) for each in set.__iter__(value)]}
+    if issubclass(kind, frozenset):
+        return {"set": [_encode(each, depth + 1, parts) for each in frozenset.__iter__(value)]}
+    if issubclass(kind, dict):
+        pairs = dict.items(value)
+        return {"dict": [[_encode(part, depth + 1, parts) for part in pair] for pair in pairs]}
+    return {"other": f"a {_kind(value)}"}
+
+
+def _kind(value: object) -> str:
+    return type(value).__name__[:60]
+
+
+def decoded(data: Any) -> Any:
+    """The value again; raises MalformedError for anything that `encoded` can't have made.
+
+    >>> decoded({"tuple": [2, {"float": "1.5"}]})
+    (2, 1.5)
+    """
+    try:
+        return _decode(data)
+    except (TypeError, ValueError, KeyError, RecursionError) as error:
+        raise MalformedError(str(error)) from None
+
+
+def _decode(data: Any) -> Any:
+    if data is None or isinstance(data, bool | str | int):
+        return data
+    if isinstance(data, float):  # an integer that has been through JavaScript
+        return int(data)
+    if isinstance(data, list):
+        return [_decode(each) for each in data]
+    ((tag, content),) = data.items()
+    if tag == "float":
+        return float(content)
+    if tag == "floats":
+        return [float(each) for each in content]
+    if tag == "int":
+        return int(content, 16)
+    if tag == "tuple":
+        return tuple(_decode(each) for each in content)
+    if tag == "set":
+        return {_frozen(_decode(each)) for each in content}
+    if tag == "dict":
+        return {_frozen(_decode(key)): _decode(value) for key, value in content}
+    if tag == "other":
+        return Other(str(content)[:200])
+    raise ValueError(f"no such tag: {tag}")
+
+
+def _frozen(value: Any) -> Any:
+    return frozenset(value) if isinstance(value, set) else value
+
+
+# -- in words ------------------------------------------------------------------
+
+_MOST_SHOWN = 8
+_MOST_NUMBERS = 24
+_LONGEST_SHOWN = 60
+
+
+def shown(value: object) -> str:
+    """A value as a message shows it: short, floats to six decimals.
+
+    >>> shown((1.00000001, [1, 2, 3, 4, 5, 6, 7, 8, 9, 10], "a"))
+    "(1.0, [1, 2, 3, 4, 5, 6, 7, 8, … 2 more], 'a')"
+    """
+    if isinstance(value, Other):
+        return value.what
+    if isinstance(value, float):
+        return repr(round(value, 6) + 0.0)
+    if isinstance(value, str):
+        text = repr(value)
+        return text if len(text) <= _LONGEST_SHOWN else f"{text[: _LONGEST_SHOWN - 1]}…"
+    if isinstance(value, tuple):
+        return f"({_items(value)}{',' if len(value) == 1 else ''})"
+    if isinstance(value, list):
+        return _list(value)
+    if isinstance(value, set | frozenset):
+        return f"{{{_items(sorted(value, key=shown))}}}" if value else "set()"
+    if isinstance(value, dict):
+        pairs = [f"{shown(key)}: {shown(each)}" for key, each in list(value.items())[:_MOST_SHOWN]]
+        return f"{{{', '.join(pairs)}{_more(value)}}}"
+    text = repr(value)
+    return text if len(text) <= _LONGEST_SHOWN else f"{text[: _LONGEST_SHOWN - 1]}…"
+
+
+def _list(values: list[Any]) -> str:
+    if len(values) > _MOST_SHOWN and all(type(each) in (int, float) for each in values):
+        if all(each == values[0] for each in values):
+            return f"[{shown(values[0])}] * {len(values)}"
+        if len(values) > _MOST_NUMBERS:
+            return f"a list of {len(values)} numbers"
+    return f"[{_items(values)}]"
+
+
+def _items(values: Any) -> str:
+    listed = list(values)
+    return ", ".join(map(shown, listed[:_MOST_SHOWN])) + _more(listed)
+
+
+def _more(values: Any) -> str:
+    left_out = len(values) - _MOST_SHOWN
+    return f", … {left_out} more" if left_out > 0 else ""
