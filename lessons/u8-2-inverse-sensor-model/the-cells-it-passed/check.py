@@ -19,7 +19,8 @@ def passed(x, y, angle, reading, step=CELL / 2, first=0, short=CELL):
 def same_cells(expected, got):
     """The same cells, in any order; one may well be named more than once."""
     try:
-        return {tuple(cell) for cell in expected} == {cell and tuple(cell) for cell in got}
+        right, answer = ({cell and tuple(cell) for cell in cells} for cells in (expected, got))
+        return right == answer
     except TypeError:
         return False
 

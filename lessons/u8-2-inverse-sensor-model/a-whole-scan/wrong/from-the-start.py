@@ -1,4 +1,4 @@
-# earns: from where the robot started
+# earns: every beam begins where the robot started
 # A whole scan
 #
 # The robot looks round from two places. At present look uses one reading only, the
