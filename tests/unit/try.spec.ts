@@ -44,7 +44,8 @@ function lab() {
       const trace = traceOfProgram(asked);
       return { trace, done: Promise.resolve(trace), stop: () => {} };
     },
-    shown: () => state,
+    // As in a lab, what is on show has these by its prototype.
+    shown: () => Object.create(state),
     compareWith: (earlier) => {
       state.earlier = earlier;
     },
@@ -68,7 +69,7 @@ test("sets, runs, compares with the run before, and undoes all of it", async () 
   expect(state.program).toBe(WITHOUT_FREE);
   expect(state.trace?.header.program).toBe(WITHOUT_FREE);
   expect(state.earlier).toBe(first);
-  expect(state.note?.text).toBe("L_FREE = 0.0 in place of −0.4. Thin: the run without it.");
+  expect(state.note?.text).toBe("L_FREE = 0.0 in place of −0.4. Thin lines: the run without it.");
   undo();
   expect(state.program).toBe(PROGRAM);
   expect([state.trace, state.earlier]).toEqual([first, null]);

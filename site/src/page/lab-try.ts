@@ -89,7 +89,8 @@ export class Experiment {
   #baseNow(): Base {
     const { program } = this.#desk.request();
     if (this.#base && program === this.#changed) return this.#base;
-    return { program, ...this.#desk.shown() };
+    const { trace, earlier } = this.#desk.shown();
+    return { program, trace, earlier };
   }
 
   /** The run to compare with, if it has been made: finished, in this world and with this noise. */

@@ -11,6 +11,12 @@ export function signed(value: number, digits: number, plus = ""): string {
   return `${value < 0 ? "−" : plus}${text}`;
 }
 
+/** The same with two digits at most, as such numbers are given: −0.4, +8. */
+function given(value: number): string {
+  const digits = [0, 1].find((few) => Number(value.toFixed(few)) === Number(value.toFixed(2))) ?? 2;
+  return signed(value, digits, "+");
+}
+
 function count(number: number, one: string, many = `${one}s`): string {
   return `${number} ${number === 1 ? one : many}`;
 }
@@ -38,14 +44,17 @@ export const beamWords = {
   tooClose: "That is less than a cell away, so no floor counts as free.",
   nothing: (far: number) =>
     `That is ${far} cm or more, so there is no hit, and the floor counts as free for ${far} cm.`,
-  steps: (looks: number, step: number, cells: number, misses: string) =>
-    `${count(looks, "look")}, ${step} cm apart, name ${count(cells, "cell")}. ${misses}.`,
-  line: (cells: number, misses: string, beside: number) =>
-    `The line names ${count(cells, "cell")}, each once. ${misses}${beside > 0 ? `, and ${beside} named that it does not cross` : ""}.`,
-  misses: (cells: number, longest: number) =>
-    cells === 0
-      ? "No cell that the beam crosses is left out"
-      : `${count(cells, "cell")} that the beam crosses ${cells === 1 ? "is" : "are"} left out, ${cells === 1 ? "with" : "one with"} ${longest.toFixed(1)} cm of it`,
+  steps: (looks: number, step: number, cells: number, more: string) =>
+    `${count(looks, "look")}, ${step} cm apart, name ${count(cells, "cell")}. ${more}`,
+  line: (cells: number, beside: number, more: string) =>
+    `The line names ${count(cells, "cell")}, each once${beside > 0 ? `, ${beside} of which the beam does not cross` : ""}. ${more}`,
+  more: (cells: number, longest: number) => {
+    if (cells === 0) return "The beam crosses no others.";
+    const most = `${longest.toFixed(1)} cm`;
+    return cells === 1
+      ? `The beam crosses 1 more, for ${most}.`
+      : `The beam crosses ${cells} more, for at most ${most} each.`;
+  },
 
   legend: "Marks in the picture",
   free: "free",
@@ -82,10 +91,9 @@ export const evidenceWords = {
   octomap: "OctoMap",
   cartographer: "Cartographer (2D)",
   hector: "hector_mapping",
-  adds: (hit: number, pass: number) =>
-    `A hit adds ${signed(hit, 2, "+")}, a pass ${signed(pass, 2, "+")}.`,
+  adds: (hit: number, pass: number) => `A hit adds ${given(hit)}, a pass ${given(pass)}.`,
   kept: (low: number, high: number) =>
-    `The sum is kept between ${signed(low, 2)} and ${signed(high, 2, "+")} (the bars).`,
+    `The sum is kept between ${given(low)} and ${given(high)} (the bars).`,
   stops: (high: number) =>
     `At ${high} or more (the bar) a hit adds nothing; there is no lower limit.`,
   ourCalls: "Above +1 the map says occupied, below −1 free.",

@@ -15,7 +15,7 @@ export interface Change {
 
 export const tryWords = {
   tried: (changes: readonly Change[]) =>
-    `${changes.map(({ name, from, to }) => `${name} = ${minus(to)} in place of ${minus(from)}`).join(", ")}. Thin: the run without it.`,
+    `${changes.map(({ name, from, to }) => `${name} = ${minus(to)} in place of ${minus(from)}`).join(", ")}. Thin lines: the run without it.`,
   same: (changes: readonly Change[]) =>
     `${changes.map(({ name, to }) => `${name} is ${minus(to)}`).join(", ")} in this program already.`,
   undone: (changes: readonly Change[]) =>

@@ -65,7 +65,7 @@ function handle(which: keyof Beam, name: string, beam: Beam, live: boolean): str
     : "";
   const shape =
     which === "start"
-      ? `<circle class="body" r="5"/><path class="nose" d="M0 -4.6L2.6 1H-2.6z"/>`
+      ? `<circle class="body" r="5"/><path class="nose" d="M0 -4.2L2.3 3L0 1.7L-2.3 3z"/>`
       : `<circle class="body" r="4"/><path class="nose" d="M0 -6.5V6.5M-6.5 0H6.5"/>`;
   return `<g class="handle ${which}" data-handle="${which}" transform="${placed(beam, which)}"${slider}><circle class="reach" r="13"/>${shape}</g>`;
 }

@@ -10,11 +10,11 @@ import { type Beam, passedBy, type Reading, type Rule, readingOf, stepOf } from 
 export function beamSentence(beam: Beam, rule: Rule): string {
   const reading = readingOf(beam);
   const { looks, cells, missed, longestMissed, beside } = passedBy(rule, beam.start, reading);
-  const left = beamWords.misses(missed.length, longestMissed);
+  const more = beamWords.more(missed.length, longestMissed);
   const named =
     rule === "bresenham"
-      ? beamWords.line(cells.length, left, beside.length)
-      : beamWords.steps(looks.length, stepOf(rule), cells.length, left);
+      ? beamWords.line(cells.length, beside.length, more)
+      : beamWords.steps(looks.length, stepOf(rule), cells.length, more);
   return `${beamWords.reading(reading.cm)} ${floor(reading)} ${named}`;
 }
 

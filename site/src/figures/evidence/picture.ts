@@ -56,7 +56,7 @@ function drawn(line: Line, numbers: Numbers, values: readonly number[]): string 
   const l = values.at(-1) ?? 0;
   const at = percent(line.place(l));
   return [
-    `<text class="title" x="0" y="${line.y - 32}">${line.title}</text>`,
+    `<text class="title" x="-12" y="${line.y - 32}">${line.title}</text>`,
     zones(line, numbers),
     limits(line, numbers),
     labels(line),
