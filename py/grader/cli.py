@@ -1,0 +1,132 @@
+"""The command line: mark a program, check a lesson or the whole course.
+
+May import: the rest of `grader`.
+
+    python -m grader mark LESSON TASK FILE [--json]
+    python -m grader check [LESSON …] [--seeds N]
+
+Ends with 0 if the program passes or all is well, with 1 if not, with 2 for wrong usage or a
+fault of ours.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from pathlib import Path
+
+from grader.lesson import LESSONS, CourseError, lesson_at
+from grader.marking import Performer, mark_program
+from grader.marks import text_of
+from grader.standing import SEEDS, Report, check_course
+
+__all__ = ["main"]
+
+_USAGE = 2
+
+
+def main(arguments: list[str]) -> int:
+    """Do what the arguments say; returns the exit status."""
+    options = _parser().parse_args(arguments)
+    try:
+        if options.command == "mark":
+            return _mark(options)
+        return _check(options)
+    except CourseError as error:
+        print(f"grader: {error}", file=sys.stderr)
+        return _USAGE
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python -m grader", description="Mark programs and check lessons."
+    )
+    commands = parser.add_subparsers(dest="command", required=True, metavar="mark|check")
+    mark = commands.add_parser("mark", help="mark a program")
+    mark.add_argument("lesson", metavar="LESSON", help="the name of a lesson's folder")
+    mark.add_argument("task", metavar="TASK", help="the name of the task")
+    mark.add_argument("file", metavar="FILE", help="the program's file; - reads standard input")
+    mark.add_argument("--json", action="store_true", help="print the mark as JSON, only that")
+    check = commands.add_parser("check", help="check one lesson, or all of the course")
+    check.add_argument("lesson", nargs="*", metavar="LESSON", help="the names of lessons' folders")
+    check.add_argument(
+        "--seeds", type=_count, default=SEEDS, help=f"noises a solution must pass on ({SEEDS})"
+    )
+    check.add_argument(
+        "--processes", type=_count, default=2, help="markings done at the same time (2)"
+    )
+    for each in (mark, check):
+        each.add_argument(
+            "--lessons", type=Path, default=LESSONS, help="the folder that holds course.json"
+        )
+    return parser
+
+
+def _count(text: str) -> int:
+    number = int(text)
+    if not 1 <= number <= 1000:
+        raise argparse.ArgumentTypeError(f"a whole number from 1 to 1000 is wanted, not {text}")
+    return number
+
+
+def _mark(options: argparse.Namespace) -> int:
+    lesson = lesson_at(options.lessons / options.lesson)
+    task = lesson.task(options.task)
+    program = _program(options.file)
+    with Performer() as performer:
+        mark = mark_program(
+            task.check.read_text("utf-8"),
+            lesson.for_judge(),
+            task.name,
+            program,
+            performer.perform,
+        )
+    print(json.dumps(mark, ensure_ascii=False) if options.json else text_of(mark))
+    if mark["ours"] is not None:
+        return _USAGE
+    return 0 if mark["passed"] else 1
+
+
+def _program(file: str) -> str:
+    try:
+        if file == "-":
+            return sys.stdin.read()
+        return Path(file).read_text(encoding="utf-8", errors="replace")
+    except OSError as error:
+        raise CourseError(f"can't read {file}: {error.strerror}") from None
+
+
+# -- check -----------------------------------------------------------------------
+
+_COLUMNS = ("tasks", "checks", "starters fail", "solutions pass", "wrong earn", "seconds")
+
+
+def _check(options: argparse.Namespace) -> int:
+    began = time.perf_counter()
+    reports = check_course(
+        options.lessons, options.lesson, seeds=options.seeds, processes=options.processes
+    )
+    print(f"{'lesson':34}" + "".join(f"{name:>16}" for name in _COLUMNS))
+    for report in reports:
+        print(_row(report))
+    faults = [fault for report in reports for fault in report.faults]
+    for fault in faults:
+        print(f"\n{fault}")
+    seconds = time.perf_counter() - began
+    said = "all is well" if not faults else f"{len(faults)} fault{'s' * (len(faults) != 1)}"
+    print(f"\n{len(reports)} lessons in {seconds:.1f} s: {said}")
+    return 1 if faults else 0
+
+
+def _row(report: Report) -> str:
+    values = (
+        report.tasks,
+        report.checks,
+        report.starters,
+        report.solutions,
+        report.wrong,
+        f"{report.seconds:.1f}",
+    )
+    return f"{report.slug:34}" + "".join(f"{value:>16}" for value in values)
