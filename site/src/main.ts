@@ -4,8 +4,12 @@
 import { api, readyPrograms, worlds } from "virtual:bugbot";
 import { startFigures } from "./figures/start.ts";
 import { showHome } from "./page/home.ts";
+import { type LessonData, readLessonData } from "./page/lesson-data.ts";
+import { Progress } from "./page/progress.ts";
+import { ProgramStore } from "./page/storage.ts";
 import { showThemeSwitch } from "./page/theme-switch.ts";
 import { whenWanted } from "./page/when-wanted.ts";
+import type { Runtime } from "./runtime/client.ts";
 import { printInLight } from "./ui/theme.ts";
 
 for (const place of document.querySelectorAll<HTMLElement>(".theme-switch")) showThemeSwitch(place);
@@ -19,28 +23,44 @@ showHome(worldsInOrder);
 
 startFigures(document);
 
+const store = new ProgramStore();
+const progress = new Progress(store);
+progress.listen();
+if (document.querySelector("progress-tools")) {
+  const { defineProgressTools } = await import("./page/progress-tools.ts");
+  defineProgressTools(progress);
+}
+
 // The editor is the largest part of the site: pages without a lab do without it.
-if (document.querySelector("bugbot-lab")) await startLabs();
+if (document.querySelector("bugbot-lab, bugbot-task")) await startLabs();
 
 async function startLabs(): Promise<void> {
-  const [{ BugbotLab, defineLab }, { showLabPage }, { startTries }, { ProgramStore }, { Runtime }] =
-    await Promise.all([
-      import("./page/lab.ts"),
-      import("./page/lab-page.ts"),
-      import("./page/try.ts"),
-      import("./page/storage.ts"),
-      import("./runtime/client.ts"),
-    ]);
+  const parts = Promise.all([
+    import("./page/lab.ts"),
+    import("./page/lab-page.ts"),
+    import("./page/try.ts"),
+  ]);
+  // Python may be on its way while the editor still is.
+  const { Runtime } = await import("./runtime/client.ts");
   const runtime = new Runtime(warmUp());
-  const store = new ProgramStore();
+  whenWanted([...document.querySelectorAll("bugbot-lab, bugbot-task")], () => runtime.warm());
+  const [{ BugbotLab, defineLab }, { showLabPage }, { startTries }] = await parts;
   // Every page's header leads home, from whatever folder the site is in.
   const home = document.querySelector<HTMLAnchorElement>(".site-header .name")?.href;
   const labAddress = new URL("lab/", home ?? location.href).href;
-  defineLab({ runtime, worlds: worldsInOrder, readyPrograms, calls: api, store, labAddress });
+  const lesson = readLessonData(document);
+  const all = [...worldsInOrder, ...(lesson?.worlds ?? [])];
+  defineLab({ runtime, worlds: all, readyPrograms, calls: api, store, labAddress });
+  if (lesson) await startTasks(runtime, lesson);
   const lab = document.querySelector(".lab-page bugbot-lab");
   if (lab instanceof BugbotLab) showLabPage(lab, worldsInOrder);
   startTries(document);
-  whenWanted([...document.querySelectorAll("bugbot-lab")], () => runtime.warm());
+}
+
+async function startTasks(runtime: Runtime, lesson: LessonData): Promise<void> {
+  const { defineTask } = await import("./page/task.ts");
+  progress.visit(lesson.lesson);
+  defineTask({ runtime, progress, lesson });
 }
 
 /** Worlds come in the order of their programs: the order to meet them in. */

@@ -7,7 +7,7 @@
  * their texts are carried to and fro.
  */
 import { type Job, type Mark, readStep } from "./marks.ts";
-import type { FromWorker, JudgeRequest } from "./messages.ts";
+import type { FromWorker, JudgeRequest, ToWorker } from "./messages.ts";
 import { type Died, type ModuleFiles, provideModules } from "./modules.ts";
 import type { Partner, Workers } from "./pool.ts";
 
@@ -125,10 +125,11 @@ export class Marker {
   async #do(job: Job): Promise<string> {
     const { program } = this.#request;
     const performer = await this.#engage(program);
-    const answer = await within(job.seconds, (tell) => {
-      performer.listen(tell);
-      performer.send({ kind: "perform", id: 0, program, job: job.text });
-    });
+    const answer = await answerOf(
+      performer,
+      { kind: "perform", id: 0, program, job: job.text },
+      { real_s: job.limits.real_s, silent_s: job.place ? job.limits.silent_s : null },
+    );
     this.#dismiss(performer);
     if (answer === null) return endedEarly(job, "time");
     if (answer.kind === "performed") return answer.result;
@@ -165,27 +166,42 @@ export class Marker {
 }
 
 /** What the judge answers; rejects if it has no step to say. */
-async function ask(judge: Partner, message: Parameters<Partner["send"]>[0]): Promise<string> {
-  const answer = await within(JUDGE_S, (tell) => {
-    judge.listen(tell);
-    judge.send(message);
-  });
+async function ask(judge: Partner, message: ToWorker): Promise<string> {
+  const answer = await answerOf(judge, message, { real_s: JUDGE_S, silent_s: null });
   if (answer === null) throw new Error(`the check did not come to an end within ${JUDGE_S} s`);
   if (answer.kind !== "step") throw unexpected(answer, "the judge");
   return answer.step;
 }
 
-/** The first message that is told, or null after so many seconds without one. */
-function within(
-  seconds: number,
-  begin: (tell: (message: FromWorker) => void) => void,
-): Promise<FromWorker | null> {
+/**
+ * What an interpreter answers to a message; null if it takes longer than `real_s` or, unless
+ * `silent_s` is null, for so long tells of no simulated time passing.
+ */
+function answerOf(
+  partner: Partner,
+  message: ToWorker,
+  { real_s, silent_s }: { real_s: number; silent_s: number | null },
+): Promise<Exclude<FromWorker, { kind: "beat" }> | null> {
   return new Promise((resolve) => {
-    const late = setTimeout(() => resolve(null), seconds * 1000);
-    begin((message) => {
+    const over = (): void => resolve(null);
+    const wait = (seconds: number | null) =>
+      seconds === null ? undefined : setTimeout(over, seconds * 1000);
+    const late = wait(real_s);
+    let silence = wait(silent_s);
+    let reached = 0;
+    partner.listen((answer) => {
+      if (answer.kind === "beat") {
+        if (answer.t <= reached) return;
+        reached = answer.t;
+        clearTimeout(silence);
+        silence = wait(silent_s);
+        return;
+      }
       clearTimeout(late);
-      resolve(message);
+      clearTimeout(silence);
+      resolve(answer);
     });
+    partner.send(message);
   });
 }
 

@@ -45,8 +45,8 @@ export interface Mark {
 /** A job as far as the page acts on it. */
 export interface Job {
   id: string;
-  /** The longest it may take [s]. */
-  seconds: number;
+  /** The longest it may take, and the longest a run may compute with no simulated time passing [s]. */
+  limits: { real_s: number; silent_s: number };
   /** Where the program is run, for a job that is a run; its trace can be shown. */
   place: { world: World; seed: number } | null;
   /** The whole job as the judge wrote it, for the performer: its numbers keep their kind. */
@@ -72,9 +72,11 @@ function readJob(text: string): Job {
   const job: unknown = JSON.parse(text);
   if (isRecord(job) && isText(job.id) && isRecord(job.limits)) {
     const { id, kind, world, seed, limits } = job;
-    const { real_s: seconds } = limits;
+    const { real_s, silent_s } = limits;
     const place = kind === "run" && isWorld(world) && isWhole(seed) ? { world, seed } : null;
-    if (isPositive(seconds)) return { id, seconds, place, text };
+    if (isPositive(real_s) && isPositive(silent_s)) {
+      return { id, limits: { real_s, silent_s }, place, text };
+    }
   }
   throw new Error(`the judge asked for what is no job: ${text.slice(0, 200)}`);
 }

@@ -92,6 +92,8 @@ export type FromWorker =
   | { kind: "finished"; id: number }
   /** The judge wants jobs done, or gives the mark: `readStep` reads it. */
   | { kind: "step"; id: number; step: string }
+  /** The run of a job has come to this simulated time [s]. */
+  | { kind: "beat"; id: number; t: number }
   /** A job is done: its result as JSON, with the trace of the run. */
   | { kind: "performed"; id: number; result: string }
   /**
@@ -126,6 +128,8 @@ export function isFromWorker(value: unknown): value is FromWorker {
       return hasId && typeof message.events === "string" && message.points instanceof ArrayBuffer;
     case "finished":
       return hasId;
+    case "beat":
+      return hasId && Number.isFinite(message.t);
     case "step":
       return hasId && isText(message.step, MOST_STEP);
     case "performed":

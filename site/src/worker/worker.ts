@@ -27,7 +27,7 @@ interface Session {
 /** `bridge.marking`, as far as it is called from here. */
 interface Marking {
   Judge(request: string): Judge;
-  perform(job: string, program: string): string;
+  perform(job: string, program: string, beat: (t: number) => void): string;
 }
 
 interface Judge {
@@ -113,7 +113,8 @@ class Interpreter {
   #mark(marking: Marking, message: MarkingMessage): void {
     const { id } = message;
     if (message.kind === "perform") {
-      const result = marking.perform(message.job, message.program);
+      const beat = (t: number): void => this.#send({ kind: "beat", id, t });
+      const result = marking.perform(message.job, message.program, beat);
       this.#send({ kind: "performed", id, result });
       return;
     }
