@@ -45,7 +45,7 @@ def passed_and_hit(x, y, angle, reading):
     return [cell for cell in passed if cell is not None], hit
 
 
-# ==== Your part ====
+# ---- your part ----
 def add(cell, evidence):
     """Add evidence to log_odds[cell], and keep it between -L_MAX and L_MAX."""
     log_odds[cell] = max(-L_MAX, min(L_MAX, log_odds[cell] + evidence))
@@ -66,7 +66,7 @@ def watch():
         plot(name, log_odds[cell_at(x, y)])
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 draw("watched", list(WATCHED.values()), "orange", "dots", 3)
 forward(50)

@@ -18,7 +18,7 @@ def probability(l):
     return 1 / (1 + math.exp(-l))
 
 
-# ==== Your part ====
+# ---- your part ----
 def fuse(readings):
     """The probability that the cell is occupied, after all the readings in the list."""
     l = 0.0  # no idea yet
@@ -27,7 +27,7 @@ def fuse(readings):
     return probability(l)
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 READINGS = [0.7, 0.7, 0.4, 0.7, 0.4, 0.4, 0.4, 0.7, 0.7, 0.7]
 

@@ -18,13 +18,13 @@ def probability(l):
     return 1 / (1 + math.exp(-l))
 
 
-# ==== Your part ====
+# ---- your part ----
 def fuse(readings):
     """The probability that the cell is occupied, after all the readings in the list."""
     return 0.5
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 READINGS = [0.7, 0.7, 0.4, 0.7, 0.4, 0.4, 0.4, 0.7, 0.7, 0.7]
 

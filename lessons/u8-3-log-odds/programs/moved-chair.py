@@ -20,6 +20,7 @@ def show(name, l, x):
     draw(name, [] if abs(l) <= KNOWN else [(x, 100)], colour, "squares", 60)
 
 
+print(f"looks at the chair: {HITS}")
 clamped = unclamped = 0.0
 free_after = {}
 for look in range(1000):
@@ -38,5 +39,5 @@ for look in range(1000):
         break
     wait(0.1)
 
-for name, looks in free_after.items():
-    print(f"{name}: free again {looks} looks after the chair has gone")
+print(f"with the clamp, free again after {free_after['clamped']} looks")
+print(f"without it, free again after {free_after['not clamped']} looks")

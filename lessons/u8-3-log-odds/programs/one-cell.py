@@ -30,6 +30,6 @@ for look in range(1, LOOKS + 1):
     draw("its edge", EDGES, "black", "line", 1)
     wait(0.2)
 
-print(f"{hits} hits and {LOOKS - hits} passes")
+print(f"{LOOKS} readings: {hits} hits, {LOOKS - hits} passes")
 print(f"share of hits {hits / LOOKS:.2f}")
 print(f"log odds {l:.2f}, so p = {p:.5f}")

@@ -25,7 +25,8 @@ draw("P", [place(P)], "red", "dots", 6)
 draw("scale", [(20, 104, "l = 0"), (20, 194, "l = 5"), (20, 12, "l = -5")], "grey", "text", 5)
 draw("P down to p", [(200 * P, 0), place(P)], "red", "line", 0.6)
 
-print("  p    odds   log odds")
 for p in (0.01, 0.1, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9, 0.99):
-    print(f"{p:.2f}  {p / (1 - p):5.2f}  {log_odds(p):6.2f}")
+    print(f"p {p:.2f}, odds {p / (1 - p):.2f}, log odds {log_odds(p):.2f}")
 print(f"P = {P:.2f} has odds {P / (1 - P):.2f} and log odds {log_odds(P):.2f}")
+for l in (1, 8):
+    print(f"log odds of {l} are p = {1 / (1 + math.exp(-l)):.5f}")

@@ -65,7 +65,7 @@ def keep_mapping(seconds):
     show()
 
 
-# ==== Your part ====
+# ---- your part ----
 def look_round():
     """Turn once on the spot, and map meanwhile."""
     right(30)
@@ -73,4 +73,4 @@ def look_round():
 
 
 look_round()
-# ==== End of your part ====
+# ---- end of your part ----

@@ -13,7 +13,7 @@ trail = []  # where the robot has been, in cm on the mat
 walls = []  # where beams ended, in cm on the mat
 
 
-# ==== Your part ====
+# ---- your part ----
 def pose():
     """Where the robot is now: x and y in cm on the mat, and which way it faces."""
     return START[0], START[1], 0
@@ -27,7 +27,7 @@ def look():
         pass
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 drive(70, 0, 8)
 for tick in range(100):  # 10 seconds

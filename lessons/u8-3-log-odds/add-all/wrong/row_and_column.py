@@ -14,10 +14,10 @@ def add_all(grid, rows, columns, evidence, limit):
     A cell that is named twice gets the evidence twice. Then the whole grid is clamped.
     """
     grid = np.array(grid, dtype=float)  # a copy, so that the caller keeps the old one
-    # ==== Your part ====
+    # ---- your part ----
     np.add.at(grid, (columns, rows), evidence)
     grid = np.clip(grid, -limit, limit)
-    # ==== End of your part ====
+    # ---- end of your part ----
     return grid
 
 

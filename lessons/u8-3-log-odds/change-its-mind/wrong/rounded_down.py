@@ -10,13 +10,13 @@ import math
 KNOWN = 1  # a cell is occupied when its log odds are above this
 
 
-# ==== Your part ====
+# ---- your part ----
 def hits_needed(l, l_occ):
     """How many hits, each adding l_occ, bring log odds l above KNOWN."""
     return max(0, int((KNOWN - l) / l_occ))
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 l = -8
 print(f"your answer: {hits_needed(l, 0.85)} hits")

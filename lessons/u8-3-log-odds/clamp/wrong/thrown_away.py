@@ -11,7 +11,7 @@ L_FREE = -0.4  # the evidence of each half-cell step of a pass
 L_MAX = 8  # the clamp
 
 
-# ==== Your part ====
+# ---- your part ----
 def add(l, evidence, limit):
     """Log odds l with the evidence added, kept between -limit and limit."""
     if -limit <= l + evidence <= limit:
@@ -19,7 +19,7 @@ def add(l, evidence, limit):
     return l
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 l = 0.0
 for n in range(90):

@@ -11,13 +11,13 @@ L_FREE = -0.4  # the evidence of each half-cell step of a pass
 L_MAX = 8  # the clamp
 
 
-# ==== Your part ====
+# ---- your part ----
 def add(l, evidence, limit):
     """Log odds l with the evidence added, kept between -limit and limit."""
     return min(limit, l + evidence)
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 l = 0.0
 for n in range(90):

@@ -9,7 +9,7 @@ from bugbot import *
 import math
 
 
-# ==== Your part ====
+# ---- your part ----
 def log_odds(p):
     """The log odds of a probability p, which is above 0 and below 1."""
     return math.log(p / (1 - p))
@@ -20,7 +20,7 @@ def probability(l):
     return math.exp(l)
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 curve = []
 for n in range(1, 100):

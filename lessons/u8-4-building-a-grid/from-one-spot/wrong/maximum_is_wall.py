@@ -24,7 +24,7 @@ def centre(cell):
     return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
 
 
-# ==== Your part ====
+# ---- your part ----
 def add_beam(x, y, angle, reading):
     """Add what one beam says to log_odds."""
     dx = math.sin(math.radians(angle))
@@ -59,7 +59,7 @@ def show():
     plot("known %", 100 * (len(free) + len(occupied)) / len(log_odds))
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 right(30)  # 36 degrees a second
 for tick in range(130):  # 13 seconds

@@ -66,7 +66,7 @@ def keep_mapping(seconds):
     show()
 
 
-# ==== Your part ====
+# ---- your part ----
 def look_round():
     """Turn once on the spot, and map meanwhile."""
     right(20)
@@ -84,4 +84,4 @@ def drive_to(x, y):
 for x, y in [(100, 100), (30, 100), (170, 100), (100, 100), (100, 170)]:
     drive_to(x, y)
     look_round()
-# ==== End of your part ====
+# ---- end of your part ----

@@ -14,7 +14,7 @@ trail = []  # where the robot has been, in cm on the mat
 walls = []  # where beams ended, in cm on the mat
 
 
-# ==== Your part ====
+# ---- your part ----
 def pose():
     """Where the robot is now: x and y in cm on the mat, and which way it faces."""
     x, y = position()
@@ -31,7 +31,7 @@ def look():
             walls.append((x + reading * math.sin(way), y + reading * math.cos(way)))
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 drive(70, 0, 8)
 for tick in range(100):  # 10 seconds

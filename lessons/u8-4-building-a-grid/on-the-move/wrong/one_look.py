@@ -47,7 +47,7 @@ def show():
     plot("known %", 100 * (len(free) + len(occupied)) / len(log_odds))
 
 
-# ==== Your part ====
+# ---- your part ----
 def look():
     """Take one scan, and add its beams to the map from where the robot is now."""
     x, y = START[0] + position()[0], START[1] + position()[1]
@@ -66,7 +66,7 @@ def drive_and_map():
     stop()
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 drive_and_map()
 show()

@@ -16,7 +16,7 @@ ACROSS = 40  # cells in a row
 FAR = 170  # no wall is marked from a reading this long or longer [cm]
 
 
-# ==== Your part ====
+# ---- your part ----
 def add_beam(log_odds, x, y, angle, reading):
     """Add one beam from (x, y), at an angle clockwise from up the mat, to the flat list.
 
@@ -39,7 +39,7 @@ def add_beam(log_odds, x, y, angle, reading):
             log_odds[cell] = max(-L_MAX, min(L_MAX, log_odds[cell] + weight))
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom
 lines = []

@@ -33,7 +33,7 @@ def add_beam(log_odds, x, y, angle, reading):
             log_odds[cell] = max(-L_MAX, min(L_MAX, log_odds[cell] + weight))
 
 
-# ==== Your part ====
+# ---- your part ----
 def add_scan(log_odds, x, y, facing, readings):
     """Add a whole scan, taken at (x, y) with the robot facing `facing`, to the flat list.
 
@@ -44,7 +44,7 @@ def add_scan(log_odds, x, y, facing, readings):
         add_beam(log_odds, x, y, facing - angle, reading)
 
 
-# ==== End of your part ====
+# ---- end of your part ----
 
 log_odds = [0.0] * (ACROSS * ACROSS)
 turn(45)

@@ -1,0 +1,77 @@
+# Turn and look
+#
+# A whole mapper. The robot turns round on the spot. How fast it turns and how often it
+# looks decide how many beams each cell gets.
+
+from bugbot import *
+import math
+
+# Numbers to change
+TURN = 30  # how fast to turn, per cent; 30 is 36 degrees a second (5 to 100)
+LOOKS = 10  # looks a second (1 to 20)
+ROUNDS = 1  # how often to turn right round (1 to 4)
+L_OCC = 0.85  # the evidence of a hit (0 to 2)
+L_FREE = -0.4  # the evidence of each half-cell step of a pass (-1 to 0)
+FAR = 170  # no wall is marked from a reading this long or longer, cm (50 to 300)
+KNOWN = 1  # log odds beyond this, either way, count as known (0.1 to 5)
+
+L_MAX = 8  # the clamp
+CELL = 5  # cm per cell
+ACROSS = 40  # cells in a row
+START = (35, 35)  # where the robot stands on the mat
+
+# What really stands there, to count the map's mistakes: left, bottom, width, height.
+REAL = [(100, 40, 8, 50), (50, 120, 50, 8), (150, 120, 30, 8)]
+log_odds = [0.0] * (ACROSS * ACROSS)
+
+
+def add_beam(x, y, angle, reading):
+    """Add what one beam says to log_odds."""
+    dx = math.sin(math.radians(angle))
+    dy = math.cos(math.radians(angle))
+    step = CELL / 2
+    clear = reading - CELL if reading < FAR else FAR
+    evidence = [(i * step, L_FREE) for i in range(int(clear / step))]
+    if reading < FAR:
+        evidence.append((reading, L_OCC))
+    for along, weight in evidence:
+        column = math.floor((x + along * dx) / CELL)
+        row = math.floor((y + along * dy) / CELL)
+        if 0 <= column < ACROSS and 0 <= row < ACROSS:
+            cell = row * ACROSS + column
+            log_odds[cell] = max(-L_MAX, min(L_MAX, log_odds[cell] + weight))
+
+
+def gap_to_real(x, y):
+    """How far a point is from the nearest thing really there [cm]."""
+    gap = min(x, 200 - x, y, 200 - y)  # the walls round the mat
+    for left, bottom, width, height in REAL:
+        dx = max(left - x, 0, x - (left + width))
+        dy = max(bottom - y, 0, y - (bottom + height))
+        gap = min(gap, math.hypot(dx, dy))
+    return gap
+
+
+def show():
+    """Draw the map, and plot how much is known and how much of the black is wrong."""
+    cells = range(len(log_odds))
+    middle = [((cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL) for cell in cells]
+    free = [middle[cell] for cell in cells if log_odds[cell] < -KNOWN]
+    occupied = [middle[cell] for cell in cells if log_odds[cell] > KNOWN]
+    wrong = [point for point in occupied if gap_to_real(*point) > CELL]
+    draw("free", free, "#9ecae1", "squares", CELL)
+    draw("occupied", occupied, "black", "squares", CELL)
+    draw("wrong", wrong, "red", "dots", 3)
+    plot("known %", 100 * (len(free) + len(occupied)) / len(log_odds))
+    plot("wrong walls %", 100 * len(wrong) / max(1, len(occupied)))
+
+
+right(TURN)
+for tick in range(round(ROUNDS * LOOKS * 360 / (1.2 * TURN))):
+    for angle, reading in scan():
+        add_beam(START[0], START[1], heading() + angle, reading)
+    if tick % 5 == 0:
+        show()
+    wait(1 / LOOKS)
+stop()
+show()
