@@ -30,7 +30,8 @@ def beam(random):
     while True:
         x, y = (round(random.uniform(90, 110), 1) for _ in range(2))
         asked = x, y, round(random.uniform(0, 360), 1), round(random.uniform(30, 90), 1)
-        if same_cells(passed(*asked), passed(*asked, short=CELL * 1.5)):
+        with_one_less = passed(*asked, short=CELL * 1.5)
+        if same_cells(with_one_less, passed(*asked, short=CELL - 0.01)):
             return asked
 
 
