@@ -92,7 +92,9 @@ class Performer:
         except (ValueError, RecursionError):
             self.close()
             return _died(job, "crash")
-        return result if isinstance(result, dict) else _died(job, "crash")
+        if not isinstance(result, dict) or result.get("id") != job["id"]:
+            return _died(job, "crash")
+        return result
 
     def close(self) -> None:
         """End the process and whatever it has started."""
