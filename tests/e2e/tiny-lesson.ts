@@ -99,8 +99,20 @@ const DATA = {
   worlds: [ROOM],
   programs: {},
   tasks: {
-    "cell-of": { title: "The cell of a point", ...CELL_OF, world: "empty", seed: 1, stretch: false },
-    "stop-in-time": { title: "Stop in time", ...DRIVE, world: "wall-ahead", seed: 1, stretch: true },
+    "cell-of": {
+      title: "The cell of a point",
+      ...CELL_OF,
+      world: "empty",
+      seed: 1,
+      stretch: false,
+    },
+    "stop-in-time": {
+      title: "Stop in time",
+      ...DRIVE,
+      world: "wall-ahead",
+      seed: 1,
+      stretch: true,
+    },
   },
 };
 

@@ -1,0 +1,133 @@
+/** A learner's progress: kept, merged so that no pass is lost, and read with care. */
+import { expect, test } from "@playwright/test";
+import { Progress, ProgressError } from "../../site/src/page/progress.ts";
+import { ProgramStore } from "../../site/src/page/storage.ts";
+
+/** Local storage of a device, or one that refuses to keep anything. */
+function device(refuses = false): Storage {
+  const kept = new Map<string, string>();
+  return {
+    getItem: (name: string) => kept.get(name) ?? null,
+    setItem: (name: string, text: string) => {
+      if (refuses) throw new Error("full");
+      kept.set(name, text);
+    },
+    removeItem: (name: string) => kept.delete(name),
+  } as unknown as Storage;
+}
+
+function progressOn(storage: Storage, now = 1000): Progress {
+  return new Progress(new ProgramStore(() => storage), () => now);
+}
+
+test("what happened is there again after a reload", () => {
+  const storage = device();
+  const before = progressOn(storage);
+  before.visit("u8-1", "cell-of");
+  before.hintsOpened("u8-1", "cell-of", 2);
+  before.marked("u8-1", "cell-of", true);
+  before.marked("u8-1", "centre", false);
+  const after = progressOn(storage);
+  expect(after.of("u8-1", "cell-of")).toEqual({
+    ...{ state: "passed", hints: 2, solution: false, at: 1000 },
+  });
+  expect(after.count("u8-1", ["cell-of", "centre", "size"])).toEqual({
+    passed: 1,
+    tried: 1,
+    of: 3,
+  });
+  expect(after.last).toEqual({ lesson: "u8-1", task: "cell-of" });
+  expect(after.of("u8-1", "size")).toBeNull();
+});
+
+test("a pass stays a pass, with the day it came", () => {
+  const storage = device();
+  progressOn(storage, 1000).marked("u8-1", "cell-of", true);
+  const later = progressOn(storage, 2000);
+  later.marked("u8-1", "cell-of", false);
+  later.marked("u8-1", "cell-of", true);
+  later.solutionSeen("u8-1", "cell-of");
+  expect(later.of("u8-1", "cell-of")).toEqual({
+    ...{ state: "passed", hints: 0, solution: true, at: 1000 },
+  });
+});
+
+test("what another tab has kept meanwhile is not written over", () => {
+  const storage = device();
+  const here = progressOn(storage);
+  const there = progressOn(storage);
+  there.marked("u8-1", "centre", true);
+  here.marked("u8-1", "cell-of", true);
+  expect(progressOn(storage).count("u8-1", ["cell-of", "centre"]).passed).toBe(2);
+});
+
+test("a file from another device is added, and nothing here is lost", () => {
+  const home = progressOn(device());
+  home.marked("u8-1", "cell-of", true);
+  home.marked("u8-1", "centre", false);
+  const school = progressOn(device());
+  school.marked("u8-1", "cell-of", false);
+  school.marked("u8-1", "size", true);
+  expect(school.import(home.export())).toEqual({ added: 2 });
+  const states = ["cell-of", "centre", "size"].map((task) => school.of("u8-1", task)?.state);
+  expect(states).toEqual(["passed", "tried", "passed"]);
+  expect(school.import(home.export())).toEqual({ added: 0 });
+});
+
+test("clearing forgets everything, and can be undone with what came since", () => {
+  const storage = device();
+  const progress = progressOn(storage);
+  progress.marked("u8-1", "cell-of", true);
+  const undo = progress.clear();
+  expect(progress.empty).toBe(true);
+  expect(progressOn(storage).empty).toBe(true);
+  progress.marked("u8-1", "centre", true);
+  undo();
+  expect(progressOn(storage).count("u8-1", ["cell-of", "centre"]).passed).toBe(2);
+});
+
+const task = { state: "passed", hints: 0, solution: false, at: 1 };
+const file = (parts: object): string =>
+  JSON.stringify({ format: "bugbot-progress", version: 1, tasks: {}, last: null, ...parts });
+
+for (const [what, text, message] of [
+  ["no JSON", "passed!", /not a file of progress/],
+  ["another kind of file", '{"format":"bugbot-trace"}', /not a file of progress/],
+  ["a list", "[]", /not a file of progress/],
+  ["a newer version", file({ version: 2 }), /newer version/],
+  ["no tasks", file({ tasks: null }), /damaged/],
+  ["a state there is not", file({ tasks: { "a/b": { ...task, state: "won" } } }), /damaged/],
+  ["hints below none", file({ tasks: { "a/b": { ...task, hints: -1 } } }), /damaged/],
+  ["a name that is none", file({ tasks: { "<b>/x": task } }), /damaged/],
+  [
+    "a name that is the prototype's",
+    `${file({}).slice(0, -1)},"tasks":{"__proto__":{}}}`,
+    /damaged/,
+  ],
+] as const) {
+  test(`a file with ${what} is refused in words, and changes nothing`, () => {
+    const progress = progressOn(device());
+    progress.marked("u8-1", "cell-of", true);
+    const before = progress.export();
+    expect(() => progress.import(text)).toThrow(ProgressError);
+    expect(() => progress.import(text)).toThrow(message);
+    expect(progress.export()).toBe(before);
+  });
+}
+
+test("what somebody else keeps under this name is no progress, and does no harm", () => {
+  const storage = device();
+  storage.setItem("bugbot:progress", "{broken");
+  const progress = progressOn(storage);
+  expect(progress.empty).toBe(true);
+  progress.marked("u8-1", "cell-of", true);
+  expect(progressOn(storage).of("u8-1", "cell-of")?.state).toBe("passed");
+});
+
+test("where the device refuses, progress lasts as long as the page and says so", () => {
+  const progress = progressOn(device(true));
+  expect(progress.kept).toBe(true);
+  progress.marked("u8-1", "cell-of", true);
+  expect(progress.kept).toBe(false);
+  expect(progress.of("u8-1", "cell-of")?.state).toBe("passed");
+});
