@@ -11,7 +11,7 @@ FAR = 201  # a reading this long or longer is no wall, in cm (100 to 201)
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row, and in a column
-START = (35, 35)  # where the robot stands
+START = (30, 30)  # where the robot stands
 
 hits = set()
 readings = nothing = 0

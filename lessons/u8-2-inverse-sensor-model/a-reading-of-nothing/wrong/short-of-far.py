@@ -10,7 +10,7 @@ import math
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row, and in a column
 FAR = 170  # a reading this long or longer is no wall, in cm
-START = (35, 35)  # where the robot starts on the mat
+START = (30, 30)  # where the robot starts on the mat
 
 
 def end_of_beam(x, y, angle, length):
