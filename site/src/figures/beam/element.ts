@@ -36,6 +36,12 @@ export class BugbotBeam extends HTMLElement {
     this.innerHTML = beamHtml({ beam: this.#beam, rule: this.#rule, id, live: true });
     const handles = this.#part<SVGElement>(".handles");
     handles.addEventListener("pointerdown", (event) => this.#take(event));
+    // `touch-action` does not hold for what is inside an SVG, and the page would scroll away.
+    handles.addEventListener(
+      "touchstart",
+      (event) => handleOf(event.target) && event.preventDefault(),
+      { passive: false },
+    );
     handles.addEventListener("pointermove", (event) => this.#drag(event));
     handles.addEventListener("pointerup", () => this.#let());
     handles.addEventListener("pointercancel", () => this.#let());

@@ -41,7 +41,7 @@ export function evidenceHtml({ system, presses, id, live }: EvidenceFigure): str
       <i class="cell" data-call="${now.call}"></i>
       <dl>${READOUT.map((name) => `<div><dt>${evidenceWords.readout[name]}</dt><dd data-now="${name}">${now[name]}</dd></div>`).join("")}</dl>
     </div>
-    <svg class="picture" role="img" aria-label="${evidenceWords.picture}" aria-describedby="${id}-says" height="${HIGH_PX}">${evidencePicture(numbers, presses)}</svg>
+    <svg class="picture lines" role="img" aria-label="${evidenceWords.picture}" aria-describedby="${id}-says" height="${HIGH_PX}">${evidencePicture(numbers, presses)}</svg>
     <p class="figure-says" id="${id}-says"${live ? ' role="status"' : ""}>${evidenceSentence(numbers, presses)}</p>
     <div class="figure-controls" role="group" aria-label="${evidenceWords.controls}">
       ${Object.entries(BUTTONS)
