@@ -100,3 +100,4 @@ def other(task):
             l = round(task.random.uniform(-limit, limit), 2)
             task.call(add, l, task.random.choice((0.85, -0.4, 2.5)), limit)
     task.call(add, 1.9, 0.85, 2, gives=2)
+    task.call(add, 9, -0.4, 2, gives=2)

@@ -5,7 +5,7 @@ from mapping.beam import Weights, passed_by_steps
 
 
 def whole_cells(x, y, angle, length, cell):
-    return passed_by_steps(x, y, angle, length, cell)[::2]
+    return passed_by_steps(x, y, angle, length, cell)[::2][: int(length / cell)]
 
 
 def into_the_hit(x, y, angle, length, cell):
@@ -14,7 +14,7 @@ def into_the_hit(x, y, angle, length, cell):
 
 def slip(said, hint, **how):
     """A slip that shows in the map: how the reference would have to be changed to draw it."""
-    return (said, lambda run: run.map().looks_like(run.mapped(**how), at_least=99), hint)
+    return (said, lambda run: run.map().looks_like(run.mapped(**how)), hint)
 
 
 SLIPS = [
@@ -36,7 +36,7 @@ SLIPS = [
     slip(
         "position() is from where the robot started: add START to get the place on the mat",
         1,
-        seen_as=lambda x, y, heading, angle, reading: (x - 35, y - 35, heading, angle, reading),
+        seen_as=lambda x, y, heading, angle, reading: (x - 45, y - 30, heading, angle, reading),
     ),
     slip(
         "row and column look swapped: cell number row * ACROSS + column",

@@ -86,7 +86,7 @@ SLIPS = [
 
 def dots_fit(task, world, seed):
     run = task.run(world, seed=seed, seconds=30, mistakes=SLIPS)
-    run.scanned(at_least=80)
+    run.scanned(at_least=80).visits(lambda x, y: x > 80, "the end of the bend")
     for name, wanted in (("trail", trail(run)), ("walls", walls(run))):
         dots = run.layer(name)
         task.expect(

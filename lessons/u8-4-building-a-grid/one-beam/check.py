@@ -19,7 +19,7 @@ def by(weights=None, passed_by=passed_by_steps, seen_as=lambda x, y, angle: (x, 
 
 
 def whole_cells(x, y, angle, length, cell):
-    return passed_by_steps(x, y, angle, length, cell)[::2]
+    return passed_by_steps(x, y, angle, length, cell)[::2][: int(length / cell)]
 
 
 def into_the_hit(x, y, angle, length, cell):

@@ -18,7 +18,7 @@ KNOWN = 1  # log odds beyond this, either way, count as known (0.1 to 5)
 L_MAX = 8  # the clamp
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row
-START = (35, 35)  # where the robot stands on the mat
+START = (45, 30)  # where the robot stands on the mat
 
 # What really stands there, to count the map's mistakes: left, bottom, width, height.
 REAL = [(100, 40, 8, 50), (50, 120, 50, 8), (150, 120, 30, 8)]

@@ -37,6 +37,7 @@ for n in range(len(READINGS) + 1):
     plot("fused", p)
     if n > 0:
         plot("this reading", READINGS[n - 1])
-    draw("how likely", [(100, 100 * p)], "black", "squares", max(1, 200 * p))
+    height = 200 * max(0, min(1, p))  # the line on the mat: 0 at the bottom, 1 at the top
+    draw("how likely", [(100, 0), (100, height)], "black", "line", 20)
     print(f"after {n} readings: {p}")
     wait(1)

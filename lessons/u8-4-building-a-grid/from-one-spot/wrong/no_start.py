@@ -15,7 +15,7 @@ KNOWN = 1  # log odds beyond this, either way, count as known
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row
 FAR = 170  # no wall is marked from a reading this long or longer [cm]
-START = (35, 35)  # where the robot starts on the mat; position() counts from there
+START = (45, 30)  # where the robot starts on the mat; position() counts from there
 log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom
 
 
