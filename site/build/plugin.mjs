@@ -1,5 +1,6 @@
 /**
- * Vite's view of the project's own data: two virtual modules and the folder of Python's files.
+ * Vite's view of the project's own data: two virtual modules and the folder of Python's files;
+ * and, beside it, the pages made from the lessons (lessons/plugin.mjs).
  *
  * virtual:bugbot        the worlds, the ready programs and the robot's calls
  * virtual:python-files  where the browser finds Python, and how large each file is
@@ -8,13 +9,30 @@ import { createReadStream, existsSync, readFileSync } from "node:fs";
 import { join, normalize } from "node:path";
 import { contentSecurityPolicy } from "./csp.mjs";
 import { filesBelow, ROOT } from "./files.mjs";
+import { lessonPages } from "./lessons/plugin.mjs";
 import { preparePython } from "./python.mjs";
 
 const FOLDER = "python";
 
-/** @returns {import("vite").Plugin} */
+/** @typedef {Awaited<ReturnType<typeof preparePython>>} PreparedPython */
+
+/** @returns {import("vite").Plugin[]} */
 export function bugbot() {
-  /** @type {Awaited<ReturnType<typeof preparePython>>} */
+  /** @type {Promise<PreparedPython> | undefined} */
+  let preparing;
+  const prepare = () => {
+    preparing ??= preparePython((text) => console.log(text));
+    return preparing;
+  };
+  return [siteData(prepare), lessonPages(prepare)];
+}
+
+/**
+ * @param {() => Promise<PreparedPython>} prepare
+ * @returns {import("vite").Plugin}
+ */
+function siteData(prepare) {
+  /** @type {PreparedPython} */
   let python;
   let dev = false;
 
@@ -23,7 +41,7 @@ export function bugbot() {
 
     async config(_config, { command }) {
       dev = command === "serve";
-      python = await preparePython((text) => console.log(text));
+      python = await prepare();
     },
 
     resolveId(id) {

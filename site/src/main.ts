@@ -5,10 +5,11 @@ import { api, readyPrograms, worlds } from "virtual:bugbot";
 import { startFigures } from "./figures/start.ts";
 import { showHome } from "./page/home.ts";
 import { type LessonData, readLessonData } from "./page/lesson-data.ts";
+import { showLessonPage } from "./page/lesson-page.ts";
 import { Progress } from "./page/progress.ts";
 import { ProgramStore } from "./page/storage.ts";
 import { showThemeSwitch } from "./page/theme-switch.ts";
-import { whenWanted } from "./page/when-wanted.ts";
+import { whenNear, whenWanted } from "./page/when-wanted.ts";
 import type { Runtime } from "./runtime/client.ts";
 import { printInLight } from "./ui/theme.ts";
 
@@ -19,20 +20,23 @@ printInLight();
 type World = (typeof worlds)[number];
 
 const worldsInOrder = [...worlds].sort((a, b) => placeOf(a) - placeOf(b));
-showHome(worldsInOrder);
-
 startFigures(document);
 
 const store = new ProgramStore();
 const progress = new Progress(store);
 progress.listen();
+showHome(worldsInOrder, progress);
 if (document.querySelector("progress-tools")) {
   const { defineProgressTools } = await import("./page/progress-tools.ts");
   defineProgressTools(progress);
 }
 
-// The editor is the largest part of the site: pages without a lab do without it.
-if (document.querySelector("bugbot-lab, bugbot-task")) await startLabs();
+const lesson = readLessonData(document);
+if (lesson) showLessonPage(document, lesson, progress);
+
+// The editor is the largest part of the site: it comes when a lab is near, or the page is idle.
+const places = [...document.querySelectorAll("bugbot-lab, bugbot-task")];
+if (places.length > 0) whenNear(places, () => void startLabs());
 
 async function startLabs(): Promise<void> {
   const parts = Promise.all([
@@ -43,15 +47,14 @@ async function startLabs(): Promise<void> {
   // Python may be on its way while the editor still is.
   const { Runtime } = await import("./runtime/client.ts");
   const runtime = new Runtime(warmUp());
-  whenWanted([...document.querySelectorAll("bugbot-lab, bugbot-task")], () => runtime.warm());
+  whenWanted(places, () => runtime.warm());
   const [{ BugbotLab, defineLab }, { showLabPage }, { startTries }] = await parts;
   // Every page's header leads home, from whatever folder the site is in.
   const home = document.querySelector<HTMLAnchorElement>(".site-header .name")?.href;
   const labAddress = new URL("lab/", home ?? location.href).href;
-  const lesson = readLessonData(document);
   const all = [...worldsInOrder, ...(lesson?.worlds ?? [])];
   defineLab({ runtime, worlds: all, readyPrograms, calls: api, store, labAddress });
-  if (lesson) await startTasks(runtime, lesson);
+  if (lesson && document.querySelector("bugbot-task")) await startTasks(runtime, lesson);
   const lab = document.querySelector(".lab-page bugbot-lab");
   if (lab instanceof BugbotLab) showLabPage(lab, worldsInOrder);
   startTries(document);
@@ -59,7 +62,6 @@ async function startLabs(): Promise<void> {
 
 async function startTasks(runtime: Runtime, lesson: LessonData): Promise<void> {
   const { defineTask } = await import("./page/task.ts");
-  progress.visit(lesson.lesson);
   defineTask({ runtime, progress, lesson });
 }
 

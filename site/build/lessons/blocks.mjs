@@ -142,15 +142,18 @@ ${programHtml(program.source, `Program: ${program.title}`)}
  * @param {Prose} prose
  */
 function taskHtml(task, words, prose) {
-  const stretch = task.stretch ? `<p class="task-stretch">A step further, if you like.</p>\n` : "";
+  const stretch = task.stretch
+    ? `<p>This task goes a step further than the lesson needs.</p>\n`
+    : "";
   const hints = words.hints.map(
     (hint, index) =>
       `<details class="task-hint"><summary>Hint ${index + 1}</summary>${prose.render(hint)}</details>`,
   );
   return `<bugbot-task id="task-${task.name}" name="${task.name}">
 <h3>${escapeHtml(task.title)}</h3>
-<div class="task-statement">${stretch}${prose.render(words.statement)}</div>
-<div class="task-plain"><p>Start from this program:</p>
+<div class="task-statement">${prose.render(words.statement)}</div>
+<div class="task-plain">
+${stretch}<p>Start from this program:</p>
 ${programHtml(task.starter, `Program to start from: ${task.title}`)}
 </div>
 ${hints.join("\n")}

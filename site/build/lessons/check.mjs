@@ -20,7 +20,7 @@ const worlds = /** @type {import("./course.mjs").World[]} */ (python.course.worl
 const measurer = new Measurer(python, log);
 const folder = join(ROOT, "lessons");
 const written = readdirSync(folder).filter((slug) => existsSync(join(folder, slug, "lesson.json")));
-const options = { folder, worlds, measurer, live: await liveFigures() };
+const options = { folder, worlds, measurer, live: await liveFigures(), katex: null };
 const course = new Course(options, [...written, ...slugs]);
 let faulty = 0;
 for (const slug of slugs) {

@@ -11,7 +11,9 @@
  *   worlds: readonly World[],
  *   measurer: import("./measure.mjs").Measurer,
  *   live: Readonly<Record<string, string>>,
- * }} CourseOptions folder: that of course.json; worlds: those of the site
+ *   katex: string | null,
+ * }} CourseOptions folder: that of course.json; worlds: those of the site; katex: the address of the
+ *   package's folder, if it is not beside the site's
  * @typedef {{ lesson: Lesson, prose: Prose, tokens: import("markdown-it").Token[],
  *             taskWords: Map<string, import("./blocks.mjs").TaskWords> }} Draft
  */
@@ -85,6 +87,28 @@ export class Course {
   }
 
   /**
+   * What a program comes to on a world, with noise 1, as `bugbot.run.outcome_of` tells it.
+   * @param {string} program
+   * @param {World} world
+   * @returns {Promise<import("./figure-value.mjs").Outcome>}
+   */
+  async outcome(program, world) {
+    const job = {
+      kind: /** @type {const} */ ("run"),
+      program,
+      world: JSON.stringify(world),
+      seed: 1,
+    };
+    const [answer] = await this.#options.measurer.answers([job]);
+    if (answer && "outcome" in answer) return JSON.parse(answer.outcome);
+    throw new Error(`a program could not be run on ${world.name}`);
+  }
+
+  get worlds() {
+    return this.#options.worlds;
+  }
+
+  /**
    * The figures of a lesson with their values, once it has been made.
    * @param {string} slug
    */
@@ -111,6 +135,7 @@ export class Course {
       prose,
       tokens,
       path: pathOf(slug),
+      katex: this.#options.katex,
       position: number > 0 ? { number, of: lessons.length } : null,
       assumes,
       previous: this.#link(index - 1),

@@ -8,7 +8,7 @@
  * @typedef {{ slug: string, path: string, code: string | null, title: string }} Link
  * @typedef {{
  *   lesson: Lesson, prose: Prose, tokens: Token[],
- *   path: string,
+ *   path: string, katex: string | null,
  *   position: { number: number, of: number } | null,
  *   assumes: Link[], previous: Link | null, next: Link | null,
  * }} PageInput path: of the page from the site's own folder, with a slash at its end
@@ -39,7 +39,9 @@ export function lessonPage(page) {
   /** @type {Record<string, string>} */
   const parts = {
     HEAD: headTags({ path, title, description: summary, article: true }),
-    MATHEMATICS: formulas ? mathematicsLinks(toRoot(path)) : "",
+    MATHEMATICS: formulas
+      ? mathematicsLinks(page.katex ?? `${toRoot(path)}../node_modules/katex/dist`)
+      : "",
     ROOT: toRoot(path),
     LESSON_HEAD: lessonHead(page),
     CONTENTS: contentsHtml(lesson, tokens),
@@ -129,10 +131,9 @@ function linkText({ code, title }) {
 
 /**
  * The style sheet and the two fonts that every formula needs, asked for before they are found out.
- * @param {string} root
+ * @param {string} katex address of the package's files
  */
-function mathematicsLinks(root) {
-  const katex = `${root}../node_modules/katex/dist`;
+function mathematicsLinks(katex) {
   const fonts = ["KaTeX_Main-Regular", "KaTeX_Math-Italic"].map(
     (font) =>
       `<link rel="preload" as="font" type="font/woff2" crossorigin href="${katex}/fonts/${font}.woff2" />`,

@@ -16,7 +16,7 @@ const PLACES = [
     text: "Article",
     there: "lessons/occupancy-grid-mapping/lesson.md",
   },
-  { path: "#lessons", text: "Lessons", there: "site/index.html" },
+  { path: "#lessons-title", text: "Lessons", there: "site/index.html" },
   { path: "lab/", text: "Lab", there: "site/lab/index.html" },
   { path: "api/", text: "Calls", there: "site/api/index.html" },
 ];

@@ -101,6 +101,8 @@ export class BugbotLab extends LitElement {
 
   /** In the page itself, not in a shadow: one style sheet, and ids that can be referred to. */
   override createRenderRoot(): HTMLElement {
+    // What a page has here for readers without scripts has served.
+    this.replaceChildren();
     return this;
   }
 

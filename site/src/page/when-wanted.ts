@@ -1,6 +1,7 @@
 /**
- * When to fetch Python: some 10 MB that a reader who never runs a program should not pay for at
- * once. Imports nothing of ours.
+ * When to fetch what a page's labs need: the editor, which is the largest of the scripts, and Python,
+ * some 10 MB that a reader who never runs a program should not pay for at once.
+ * Imports nothing of ours.
  */
 
 /** A lab this far below the screen will be on it soon. */
@@ -12,25 +13,37 @@ interface Connection {
 }
 
 /**
- * Call `start` once: when one of the labs comes near the screen, or the page has loaded and has
- * nothing else to do. Where the reader saves data, only when they reach for a lab. (A lab's Run
- * starts Python in any case.)
+ * Call `start` once: as `whenNear` does or, where the reader saves data, only when they reach for a
+ * lab. (A lab's Run starts Python in any case.)
  */
 export function whenWanted(labs: readonly Element[], start: () => void): void {
-  const wanted = new AbortController();
-  const { signal } = wanted;
-  const once = (): void => {
-    if (signal.aborted) return;
-    wanted.abort();
-    start();
-  };
-  if ((navigator as Navigator & Connection).connection?.saveData) {
-    for (const lab of labs) {
-      lab.addEventListener("pointerdown", once, { signal });
-      lab.addEventListener("focusin", once, { signal });
-    }
+  if (!(navigator as Navigator & Connection).connection?.saveData) {
+    whenNear(labs, start);
     return;
   }
+  const reached = new AbortController();
+  const once = (): void => {
+    reached.abort();
+    start();
+  };
+  for (const lab of labs) {
+    lab.addEventListener("pointerdown", once, { signal: reached.signal });
+    lab.addEventListener("focusin", once, { signal: reached.signal });
+  }
+}
+
+/**
+ * Call `start` once: when one of the labs comes near the screen, or the page has loaded and has
+ * nothing else to do.
+ */
+export function whenNear(labs: readonly Element[], start: () => void): void {
+  let started = false;
+  const once = (): void => {
+    observer.disconnect();
+    if (started) return;
+    started = true;
+    start();
+  };
   const observer = new IntersectionObserver(
     (entries) => {
       if (entries.some((entry) => entry.isIntersecting)) once();
@@ -38,7 +51,6 @@ export function whenWanted(labs: readonly Element[], start: () => void): void {
     { rootMargin: NEAR },
   );
   for (const lab of labs) observer.observe(lab);
-  signal.addEventListener("abort", () => observer.disconnect());
   whenIdle(once);
 }
 
