@@ -38,6 +38,7 @@ MAY_IMPORT: dict[str, tuple[str, ...]] = {
     "bugbot.__main__": ("bugbot.cli",),
     "mapping": ("bugbot.frames", "bugbot.errors", "mapping", "numpy"),
     "grader": ("bugbot", "bugbot.*", "mapping", "grader"),
+    "sketch": ("bugbot.frames", "sketch"),
     "bridge": (
         *("bugbot", "bugbot.run", "bugbot.trace", "bugbot.worlds", "grader", "bridge"),
         *("js", "pyodide"),
@@ -48,6 +49,7 @@ counts; a name allows its submodules too, but "bugbot" alone only the public nam
 
 A_PROGRAM = ("bugbot", "numpy")
 A_CHECK = ("grader", "mapping", "bugbot.frames")
+A_PICTURE = ("sketch", "mapping", "bugbot.frames")
 
 
 def room_of(module: str) -> str:
@@ -109,6 +111,8 @@ def test_nobody_imports_the_bridge() -> None:
 
 
 def allowed_in_lessons(path: PurePosixPath) -> tuple[str, ...]:
+    if path.parent.name == "pictures":
+        return A_PICTURE
     return A_CHECK if path.name == "check.py" else A_PROGRAM
 
 

@@ -9,7 +9,7 @@ import math
 # Numbers to change
 DRIFT = 3  # how fast the believed heading drifts, degrees a second (0 to 10)
 CELL = 5  # cm per cell (5 to 20)
-L_OCC = 0.85  # added to the cell a beam ended in (0 to 2)
+L_OCC = 0.85  # added to the cell a beam ended in (0 to 3)
 L_FREE = -0.4  # added at each half-cell step a beam passed (-1 to 0)
 L_MAX = 8  # log odds stay between -L_MAX and L_MAX (1 to 100)
 KNOWN = 1  # log odds beyond this, either way, count as known (0.5 to 5)
