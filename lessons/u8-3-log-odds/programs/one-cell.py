@@ -8,7 +8,7 @@ import math
 import random
 
 # Numbers to change
-LOOKS = 30  # how many readings (1 to 200)
+LOOKS = 20  # how many readings (1 to 200)
 RIGHT = 70  # how many readings in 100 say "hit" (0 to 100)
 L_OCC = 0.85  # log odds of a hit (0 to 2)
 L_FREE = -0.4  # log odds of a pass (-2 to 0)
