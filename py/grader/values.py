@@ -99,7 +99,7 @@ def decoded(data: Any) -> Any:
     """
     try:
         return _decode(data)
-    except (TypeError, ValueError, KeyError, RecursionError) as error:
+    except (TypeError, ValueError, KeyError, OverflowError, RecursionError) as error:
         raise MalformedError(str(error)) from None
 
 

@@ -1,0 +1,128 @@
+"""Values cross between program and judge by their exact type, whatever they say of themselves."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter, OrderedDict, deque, namedtuple
+from enum import IntEnum
+from math import inf, isnan, nan
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from grader.values import MalformedError, Other, decoded, encoded, shown
+
+
+class Colour(IntEnum):
+    RED = 1
+
+
+Point = namedtuple("Point", "x y")
+
+PLAIN = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
+    lambda inner: st.lists(inner) | st.tuples(inner, inner) | st.dictionaries(st.text(), inner),
+    max_leaves=20,
+)
+
+
+@given(PLAIN)
+def test_plain_values_come_through_json_as_they_were(value: object) -> None:
+    again = decoded(json.loads(json.dumps(encoded(value))))
+    assert again == value
+    assert repr(again) == repr(value)
+
+
+@pytest.mark.parametrize(
+    ("value", "plain"),
+    [
+        (Colour.RED, 1),
+        (Point(1, 2.0), (1, 2.0)),
+        (Counter("aab"), {"a": 2, "b": 1}),
+        (OrderedDict(a=1), {"a": 1}),
+        (deque([1, 2]), [1, 2]),
+        (frozenset({1}), {1}),
+        ({(1, 2), (3, 4)}, {(1, 2), (3, 4)}),
+        ({frozenset({1})}, {frozenset({1})}),
+        (np.int64(3), 3),
+        (np.float32(0.5), 0.5),
+        (np.array([[1, 2], [3, 4]]), [[1, 2], [3, 4]]),
+        (10**30, 10**30),
+        (inf, inf),
+        ([0.5, 1.5], [0.5, 1.5]),
+        ([0.5, inf], [0.5, inf]),
+    ],
+)
+def test_kinds_of_plain_values_become_plain(value: object, plain: object) -> None:
+    again = decoded(encoded(value))
+    assert again == plain
+    assert type(again) is type(plain)
+
+
+def test_nan_stays_one() -> None:
+    assert isnan(decoded(encoded(nan)))
+
+
+def test_a_float_survives_a_language_with_one_kind_of_number() -> None:
+    assert type(decoded(encoded(2.0))) is float
+    assert decoded(2.0) == 2
+    assert type(decoded(2.0)) is int  # JSON's 2 that has become 2.0
+
+
+@pytest.mark.parametrize(
+    ("value", "what"),
+    [(print, "a builtin_function_or_method"), (range(3), "a range"), (object(), "a object")],
+)
+def test_what_is_no_plain_value_says_what_it_was(value: object, what: str) -> None:
+    other = decoded(encoded(value))
+    assert isinstance(other, Other)
+    assert shown(other) == what
+
+
+def test_a_value_without_end_is_cut_off() -> None:
+    endless: list[object] = []
+    endless.append(endless)
+    for value in (endless, list(range(100_000)), [[0.5] * 40_000, [0.5] * 40_000]):
+        assert isinstance(decoded(encoded(value)), Other)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        {},
+        {"float": "x"},
+        {"what": 1},
+        {"a": 1, "b": 2},
+        {"set": [[1]]},
+        {"dict": [1]},
+        {"int": []},
+        {"floats": ["a"]},
+        inf,
+    ],
+)
+def test_what_encoding_never_makes_is_refused(data: object) -> None:
+    with pytest.raises(MalformedError):
+        decoded(data)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (1 / 3, "0.333333"),
+        (-0.0, "0.0"),
+        ((1,), "(1,)"),
+        ([0.0] * 1600, "[0.0] * 1600"),
+        (list(range(100)), "a list of 100 numbers"),
+        (list(range(10)), "[0, 1, 2, 3, 4, 5, 6, 7, … 2 more]"),
+        ({3, 1}, "{1, 3}"),
+        (set(), "set()"),
+        ({"a": [1]}, "{'a': [1]}"),
+        ("x" * 100, "'" + "x" * 58 + "…"),
+        (10**100, "1" + "0" * 58 + "…"),
+        (None, "None"),
+    ],
+)
+def test_values_are_shown_short(value: object, text: str) -> None:
+    assert shown(value) == text
