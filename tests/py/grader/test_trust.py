@@ -1,0 +1,192 @@
+"""A trace that can't be true is seen through, and an honest one never is."""
+
+from __future__ import annotations
+
+import json
+from base64 import b64encode
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from bugbot import worlds
+from bugbot.run import run_program
+from bugbot.trace import Trace
+from grader.failures import CheckFailed
+from grader.runs import Run
+from grader.traces import trace_from
+from grader.trust import doubt
+from grader.values import MalformedError
+
+WORLD = worlds.load("post-and-shelf")
+
+DRIVES = {
+    "standing": "wait(5)\nscan()",
+    "turning": "right(100)\nfor _ in range(20):\n    scan()\n    wait(0.13)",
+    "all at once": """
+drive(100, 100, 100)
+for _ in range(50):
+    scan()
+    distance()
+    wait(0.07)
+""",
+    "along a wall": "drive(40, 100, 0)\nwait(20)\nscan()\nbackward(30, 50)\nscan()",
+    "odd times": """
+drive(30, -20, 7)
+for n in range(60):
+    wait(0.001 * n)
+    scan()
+turn(-90)
+turn(1e-6)
+scan()
+""",
+}
+
+
+@pytest.mark.parametrize("name", DRIVES)
+@pytest.mark.parametrize("world", worlds.names())
+def test_an_honest_run_is_believed(name: str, world: str) -> None:
+    trace = run_program("from bugbot import *\n" + DRIVES[name], world, 3)
+    assert next(trace.of_kind("end"))["status"] == "finished"
+    assert doubt(trace, worlds.load(world)) is None
+
+
+def honest() -> Trace:
+    program = "from bugbot import *\nforward(50)\nfor _ in range(10):\n    scan()\n    wait(0.1)"
+    return run_program(program, WORLD, 3)
+
+
+def replaced(kind: str, index: int, place: int, change: Callable[[Any], Any]) -> Trace:
+    """An honest trace with one value changed: of the event of a kind with that index."""
+    trace = honest()
+    at = [n for n, event in enumerate(trace.events) if event[0] == kind][index]
+    event = list(trace.events[at])
+    event[place] = change(event[place])
+    trace.events[at] = tuple(event)
+    return trace
+
+
+@pytest.mark.parametrize(
+    ("trace", "reason"),
+    [
+        (replaced("pose", 5, 3, lambda y: y + 1), "somewhere it can't have driven"),
+        (replaced("pose", 5, 4, lambda h: h + 10), "somewhere it can't have driven or turned"),
+        (replaced("pose", 0, 2, lambda x: x + 1), "somewhere it can't have driven"),
+        (replaced("scan", 3, 2, lambda x: x + 30), "somewhere it can't have driven"),
+        (replaced("scan", 3, 5, lambda b: [b[0], b[1] + 1, *b[2:]]), "read what it can't read"),
+        (replaced("scan", 3, 5, lambda b: [b[0] + 1, *b[1:]]), "looked where it has no beams"),
+        (replaced("scan", 3, 5, lambda b: [*b, 30.0, 50.0]), "looked where it has no beams"),
+    ],
+)
+def test_a_changed_record_is_doubted(trace: Trace, reason: str) -> None:
+    found = doubt(trace, WORLD)
+    assert found is not None
+    assert reason in found[0]
+
+
+def made_up(*poses: tuple[float, float, float, float]) -> Trace:
+    trace = Trace("", WORLD.to_dict(), 3)
+    for pose in poses:
+        trace.add("pose", *pose)
+    return trace
+
+
+def test_a_robot_does_not_jump_a_wall_between_two_records() -> None:
+    found = doubt(made_up((0, 100, 100, 0), (20, 165, 100, 0)), WORLD)
+    assert found == ("the record of its movement has a gap", 20)
+
+
+def test_a_robot_is_never_inside_something() -> None:
+    steps = [(0.04 * n, 100 + 0.4 * n, 100, 0) for n in range(100)]
+    found = doubt(made_up(*steps), WORLD)
+    assert found is not None
+    assert found[0] == "the robot is inside something solid"
+    assert 100 + 10 * found[1] == pytest.approx(125, abs=0.5)  # the post begins at 130
+    off = [(0.04 * n, 100 - 0.4 * n, 100, 0) for n in range(245)]
+    assert doubt(made_up(*off), WORLD) == ("the robot is inside something solid", off[238][0])
+
+
+def test_readings_are_held_against_the_seed() -> None:
+    trace = honest()
+    trace.header["seed"] = 4
+    found = doubt(trace, WORLD)
+    assert found is not None
+    assert "read what it can't read there" in found[0]
+
+
+# -- the form ----------------------------------------------------------------------
+
+
+def packed(trace: Trace) -> dict[str, Any]:
+    events, points = trace.take()
+    return {"events": events, "points": b64encode(points).decode()}
+
+
+def test_a_trace_comes_through_as_it_was() -> None:
+    program = "from bugbot import *\ndraw('a', [(1, 2)])\nprint(1)\nscan()\nled('red')\nbeep(440)"
+    trace = run_program(program, WORLD, 3)
+    events = list(trace.events)
+    again = trace_from(packed(trace), WORLD.to_dict(), 3, 10)
+    assert again.events == events
+    assert again.points_of(next(again.of_kind("layer"))) == [(1, 2)]
+
+
+END = ["end", 1.0, "finished", ""]
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        "no list",
+        [],
+        [["pose", 0, 1, 2, 3]],
+        [["pose", 0, 1, 2], END],
+        [["flight", 0], END],
+        [[1], END],
+        [[], END],
+        [["pose", 0, "1", 2, 3], END],
+        [["pose", 0, 1, 2, float("nan")], END],
+        [["pose", -1, 1, 2, 3], END],
+        [["pose", 2, 1, 2, 3], END],
+        [["pose", True, 1, 2, 3], END],
+        [["end", 11.0, "finished", ""]],
+        [["scan", 0, 1, 2, 3, [1]], END],
+        [["scan", 0, 1, 2, 3, "11"], END],
+        [["scan", 0, 1, 2, 3, [1, None]], END],
+        [["layer", 0, "a", "red", "dots", 2, 0, 2, None], END],
+        [["layer", 0, "a", "red", "dots", 2, -1, 1, None], END],
+        [["layer", 0, "a", "red", "dots", 2, 0, 1, [1]], END],
+        [["print", 0, "stdout", 1], END],
+        [["line", 0, None], END],
+        [["fault", 0, "E", "m", "one", None, ""], END],
+        [["fault", 0, "E", "m", 1, 7, ""], END],
+    ],
+)
+def test_rows_that_are_no_trace_are_refused(rows: Any) -> None:
+    data = {"events": json.dumps(rows), "points": b64encode(b"\0\0\0\0").decode()}
+    with pytest.raises(MalformedError):
+        trace_from(data, WORLD.to_dict(), 3, 10)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        None,
+        {},
+        {"events": "[", "points": ""},
+        {"events": "[]", "points": "!"},
+        "text",
+        {"events": 1},
+    ],
+)
+def test_what_is_no_trace_at_all_is_refused(data: Any) -> None:
+    with pytest.raises(MalformedError):
+        trace_from(data, WORLD.to_dict(), 3, 10)
+
+
+def test_a_run_without_a_record_is_the_programs_failure() -> None:
+    job = {"id": "run-1", "world": WORLD.to_dict(), "seed": 3, "limits": {"simulated_s": 10}}
+    run = Run.of(job, {"id": "run-1", "trace": {"events": "[]", "points": ""}})
+    with pytest.raises(CheckFailed, match="left no record that can be read"):
+        run.must_have_ended()
+    assert run.layers() == {}
