@@ -17,7 +17,7 @@ def picture() -> str:
         340,
         212,
         "What one beam adds to each cell",
-        "A gently rising beam over a grid of 5 cm cells. Dots mark its half-cell steps. A cell with "
+        "A gently rising beam over cells of 5 cm. Dots mark its half-cell steps. A cell with "
         "two dots gets -0.8, with one dot -0.4, the cell where the beam ended +0.85. The cell "
         "just before it has no dot and gets nothing.",
     )
