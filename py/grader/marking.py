@@ -17,6 +17,7 @@ import subprocess
 import sys
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from queue import Empty, Queue
 from types import TracebackType
@@ -101,10 +102,11 @@ class Performer:
         server, self._server = self._server, None
         if server is None:
             return
-        if hasattr(os, "killpg"):
-            os.killpg(server.pid, signal.SIGKILL)
-        else:
-            server.kill()
+        with suppress(ProcessLookupError):  # it may be gone by itself
+            if hasattr(os, "killpg"):
+                os.killpg(server.pid, signal.SIGKILL)
+            else:
+                server.kill()
         server.wait()
         for pipe in (server.stdin, server.stdout):
             if pipe is not None:

@@ -1,0 +1,4 @@
+from bugbot import *
+
+turn(-heading())
+forward(50, 20)

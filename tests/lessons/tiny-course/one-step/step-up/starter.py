@@ -1,0 +1,3 @@
+from bugbot import *
+
+# Drive 20 cm up the mat.

@@ -1,0 +1,4 @@
+# earns: it drove ahead
+from bugbot import *
+
+forward(50, 20)

@@ -1,0 +1,4 @@
+# earns: it never moved
+from bugbot import *
+
+stop()

@@ -1,0 +1,3 @@
+# earns: not rounded at all
+def steps(length, step):
+    return length / step
