@@ -22,6 +22,9 @@ import { loadPyodide } from "pyodide";
 
 const SITE_PACKAGES = "/lib/python3.14/site-packages";
 
+/** WebAssembly's memory grows by so much. */
+const PAGE_BYTES = 65_536;
+
 /** Standard modules that programs on the site use, so that no run waits for the library archive. */
 const STANDARD_MODULES = [
   ..."array ast bisect calendar cmath collections collections.abc colorsys contextlib copy csv".split(
@@ -38,11 +41,20 @@ const STANDARD_MODULES = [
 
 /**
  * @param {Record<string, string>} sources path below site-packages -> text
- * @returns {Promise<Uint8Array>} the memory, without the zeros at its end
+ * @returns {Promise<Uint8Array>} the memory, without the zeros at its end, as its difference from
+ *   the memory of an interpreter that has not started. Whoever loads it has that memory too, so it
+ *   need not be downloaded a second time (a quarter of the file).
  */
 export async function makeSnapshot(sources) {
+  /** @type {Uint8Array | null} */
+  let fresh = null;
   const pyodide = /** @type {SnapshotMaker} */ (
-    await loadPyodide({ _makeSnapshot: true, env: environment() })
+    await withFreshMemory(
+      (bytes) => {
+        fresh = bytes.slice();
+      },
+      () => loadPyodide({ _makeSnapshot: true, env: environment() }),
+    )
   );
   install(pyodide, sources);
   const modules = STANDARD_MODULES.concat(modulesOf(sources));
@@ -54,8 +66,50 @@ for _name in ${JSON.stringify(modules)}:
 del _name, importlib
 `);
   zeroFreedMemory(pyodide);
-  const memory = pyodide.makeMemorySnapshot();
-  return trimZeros(memory);
+  const snapshot = trimZeros(pyodide.makeMemorySnapshot());
+  if (!fresh) throw new Error("Pyodide started without an instance that has a memory");
+  differ(snapshot, fresh);
+  return snapshot;
+}
+
+/**
+ * Turns a snapshot's memory into its difference from a fresh one, in place, and back again.
+ * `completeSnapshot` in the site's worker does the same.
+ * @param {Uint8Array} snapshot
+ * @param {Uint8Array} fresh
+ */
+function differ(snapshot, fresh) {
+  // The second word says where the memory begins, behind what Pyodide notes about it.
+  const start = new Uint32Array(snapshot.buffer, snapshot.byteOffset, 2)[1] ?? 0;
+  const length = Math.min(snapshot.length - start, fresh.length);
+  for (let i = 0; i < length; i += 1) {
+    snapshot[start + i] = (snapshot[start + i] ?? 0) ^ (fresh[i] ?? 0);
+  }
+}
+
+/**
+ * Starts something and hands over the memory of the interpreter in it as it is before it starts.
+ * @template Started
+ * @param {(bytes: Uint8Array, memory: WebAssembly.Memory) => void} seen
+ * @param {() => Promise<Started>} start
+ * @returns {Promise<Started>}
+ */
+async function withFreshMemory(seen, start) {
+  const instantiate = WebAssembly.instantiate;
+  /** @param {[any, any]} given */
+  const watched = async (...given) => {
+    const made = await instantiate(...given);
+    const instance = made instanceof WebAssembly.Instance ? made : made.instance;
+    const { memory } = instance.exports;
+    if (memory instanceof WebAssembly.Memory) seen(new Uint8Array(memory.buffer), memory);
+    return made;
+  };
+  WebAssembly.instantiate = /** @type {typeof WebAssembly.instantiate} */ (watched);
+  try {
+    return await start();
+  } finally {
+    WebAssembly.instantiate = instantiate;
+  }
 }
 
 /** Not in the snapshot: NumPy can't be in one, and the command line is not for the browser. */
@@ -91,7 +145,15 @@ export async function runInPyodide(sources, code) {
  * @param {Record<string, string>} sources those in the snapshot, and more if need be
  */
 export async function startFromSnapshot(snapshot, sources) {
-  const pyodide = await loadPyodide({ env: environment(), _loadSnapshot: snapshot });
+  const complete = snapshot.slice();
+  const pyodide = await withFreshMemory(
+    (fresh, memory) => {
+      differ(complete, fresh);
+      const more = complete.length - fresh.length;
+      if (more > 0) memory.grow(Math.ceil(more / PAGE_BYTES));
+    },
+    () => loadPyodide({ env: environment(), _loadSnapshot: complete }),
+  );
   install(pyodide, sources);
   pyodide.runPython("import importlib; importlib.invalidate_caches(); del importlib");
   return pyodide;

@@ -13,6 +13,9 @@ const STDLIB_ARCHIVE = "/lib/python314.zip";
 /** A program may use this much memory before Python's MemoryError; a tab has little more. */
 const MEMORY_LIMIT_BYTES = 1024 * 1024 * 1024;
 
+/** WebAssembly's memory grows by so much. */
+const PAGE_BYTES = 65_536;
+
 /** The end record of a zip archive, alone: an archive with nothing in it. */
 const EMPTY_ZIP = Uint8Array.of(0x50, 0x4b, 5, 6, ...new Array<number>(18).fill(0));
 
@@ -50,7 +53,13 @@ export async function startInterpreter(boot: Boot, lastWords: LastWords): Promis
     import(/* @vite-ignore */ `${boot.pyodideUrl}pyodide.asm.mjs`) as Promise<{ default: Factory }>,
   ]);
   const errorMarker = await makeErrorMarker();
-  const pyodide = await loader.loadPyodide({
+  const snapshot = boot.snapshot && new Uint8Array(await boot.snapshot.arrayBuffer());
+  // The loader waits for an instance and has no ear for there being none.
+  let noInstance: (error: unknown) => void = () => {};
+  const failed = new Promise<never>((_, reject) => {
+    noInstance = reject;
+  });
+  const loaded = loader.loadPyodide({
     indexURL: boot.pyodideUrl,
     env: { HOME: "/home/pyodide", PYTHONHASHSEED: "0" },
     jsglobals: bareGlobals(),
@@ -60,19 +69,23 @@ export async function startInterpreter(boot: Boot, lastWords: LastWords): Promis
     stderr: (text: string) => lastWords.hear(text),
     // Packages are unpacked by hand: the lock file would only be fetched and parsed for nothing.
     lockFileContents: { info: lockInfo(), packages: {} },
-    ...(boot.snapshot ? { _loadSnapshot: boot.snapshot.arrayBuffer().then(toBytes) } : {}),
+    ...(snapshot ? { _loadSnapshot: snapshot } : {}),
     createPyodideModule: (settings: Settings) => {
       settings.instantiateWasm = (imports, done) => {
         Object.assign(imports.env ?? {}, errorMarker);
         limitMemory(imports);
-        WebAssembly.instantiate(boot.module, imports).then((instance) =>
-          done(instance, boot.module),
-        );
+        WebAssembly.instantiate(boot.module, imports)
+          .then((instance) => {
+            if (snapshot) completeSnapshot(snapshot, instance);
+            done(instance, boot.module);
+          })
+          .catch(noInstance);
         return {};
       };
       return factory.default(settings);
     },
   });
+  const pyodide = await Promise.race([loaded, failed]);
   for (const [path, text] of Object.entries(boot.sources)) {
     const target = `${SITE_PACKAGES}/${path}`;
     pyodide.FS.mkdirTree(target.slice(0, target.lastIndexOf("/")));
@@ -133,6 +146,22 @@ async function makeErrorMarker(): Promise<WebAssembly.ModuleImports> {
   }
 }
 
+/**
+ * A snapshot comes as its difference from the memory of an interpreter that has not started, which
+ * this instance is. In place, before the loader copies it over.
+ */
+function completeSnapshot(snapshot: Uint8Array, { exports }: WebAssembly.Instance): void {
+  const { memory } = exports;
+  if (!(memory instanceof WebAssembly.Memory)) throw new Error("Python has no memory");
+  // The second word says where the memory begins, behind what Pyodide notes about it.
+  const start = new Uint32Array(snapshot.buffer, 0, 2)[1] ?? 0;
+  const more = snapshot.length - memory.buffer.byteLength;
+  if (more > 0) memory.grow(Math.ceil(more / PAGE_BYTES));
+  const words = new Uint32Array(snapshot.buffer, start, (snapshot.length - start) >> 2);
+  const fresh = new Uint32Array(memory.buffer);
+  for (let i = 0; i < words.length; i += 1) words[i] = (words[i] ?? 0) ^ (fresh[i] ?? 0);
+}
+
 /** Refuse to grow beyond the limit, so that Python raises MemoryError before the tab dies. */
 function limitMemory(imports: WebAssembly.Imports): void {
   const env = imports.env;
@@ -150,8 +179,4 @@ function lockInfo(): Record<string, string> {
     version: "314.0.4",
     python: "3.14.0",
   };
-}
-
-function toBytes(buffer: ArrayBuffer): Uint8Array {
-  return new Uint8Array(buffer);
 }
