@@ -6,7 +6,7 @@ import ast
 import json
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from pyodide.ffi import to_js  # type: ignore[import-not-found]  # exists only in the browser
@@ -33,7 +33,7 @@ def missing_modules(program: str) -> list[str]:
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return []
     names: dict[str, None] = {}
-    for node in ast.walk(tree):
+    for node in _statements(tree):
         if isinstance(node, ast.Import):
             imported = [alias.name for alias in node.names]
         elif isinstance(node, ast.ImportFrom) and node.level == 0:
@@ -45,6 +45,18 @@ def missing_modules(program: str) -> list[str]:
             if name and name not in sys.modules:
                 names[name.partition(".")[0]] = None
     return list(names)
+
+
+def _statements(tree: ast.AST) -> Iterator[ast.AST]:
+    """Every statement, however deep. Expressions, which are most of a tree, are left out."""
+    waiting = [tree]
+    while waiting:
+        each = waiting.pop()
+        yield each
+        for name in ("body", "orelse", "finalbody", "handlers", "cases"):
+            inner = getattr(each, name, None)
+            if isinstance(inner, list):  # a lambda's body is none
+                waiting += inner
 
 
 class _Sender:
