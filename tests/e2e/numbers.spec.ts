@@ -55,6 +55,16 @@ test("a slider is dragged: the number, the map and the chart follow; undo is one
   expect(await app.text()).toBe(SQUARES);
   await page.keyboard.press("ControlOrMeta+Shift+Z");
   expect(await app.text()).toContain("SIZE = 20  #");
+  // There and back again is no step: undo takes back what was before it.
+  await page.mouse.move(box.x + box.width - 3, middle);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * 0.4, middle, { steps: 3 });
+  await expect(sizeSlider(app)).not.toHaveValue("20");
+  await page.mouse.move(box.x + box.width + 40, middle, { steps: 3 });
+  await page.mouse.up();
+  expect(await app.text()).toContain("SIZE = 20  #");
+  await page.keyboard.press("ControlOrMeta+z");
+  expect(await app.text()).toBe(SQUARES);
 });
 
 test("a tap on a slider moves it; it is tall enough for a finger", async ({
@@ -142,21 +152,22 @@ test("typing a number moves its slider; without a range there is none", async ({
   await expect(sizeSlider(app)).toHaveCount(0);
 });
 
-test("a page can set a constant, as one step", async ({ app, page }) => {
+test("a page can set constants, as one step, all or none", async ({ app, page }) => {
   await open(app);
-  const set = (name: string, value: number): Promise<void> =>
+  const set = (values: Record<string, number>): Promise<void> =>
     page
       .locator("bugbot-lab")
       .evaluate(
         (
-          lab: HTMLElement & { setConstant(name: string, value: number): void },
-          [constant, to]: [string, number],
-        ) => lab.setConstant(constant, to),
-        [name, value] as [string, number],
+          lab: HTMLElement & { setConstants(values: Record<string, number>): void },
+          to: Record<string, number>,
+        ) => lab.setConstants(to),
+        values,
       );
-  await set("FAR", 1.5);
-  expect(await app.text()).toContain("FAR = 1.50  #");
+  await set({ FAR: 1.5, SIZE: 10 });
+  expect(await app.text()).toContain("SIZE = 10  # squares (1 to 20)\nFAR = 1.50  #");
   await app.program.press("ControlOrMeta+z");
   expect(await app.text()).toBe(SQUARES);
-  await expect(set("NEAR", 1)).rejects.toThrow(/no line "NEAR = …" with a number/);
+  await expect(set({ SIZE: 4, NEAR: 1 })).rejects.toThrow(/no line "NEAR = …" with a number/);
+  expect(await app.text()).toBe(SQUARES);
 });

@@ -34,6 +34,7 @@ import { robotCalls } from "./robot-calls.ts";
 import { sliders } from "./sliders.ts";
 import { syntaxProblems } from "./syntax.ts";
 import { theme } from "./theme.ts";
+import "./unmeasured.css";
 
 export interface EditorOptions {
   text: string;
@@ -75,6 +76,7 @@ export class ProgramEditor {
 
   /** Opens another program: nothing of the one before is left, not even in the history. */
   open(text: string): void {
+    delete this.#view.dom.dataset.measured;
     this.#view.setState(this.#stateOf(text));
   }
 
@@ -198,6 +200,7 @@ function extensions(options: EditorOptions): Extension {
       spellcheck: "false",
     }),
     EditorView.updateListener.of((update) => {
+      if (update.geometryChanged && update.view.inView) update.view.dom.dataset.measured = "";
       if (update.docChanged) options.onChange(update.state.doc.toString());
     }),
   ];

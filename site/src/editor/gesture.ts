@@ -1,8 +1,9 @@
 /**
  * One movement of a number, from taking hold of it to letting go: however many values it passes
- * through, it is one step that undo takes back. May import `numbers`.
+ * through, it is one step that undo takes back, and none if it ends where it began. May import
+ * `numbers`.
  */
-import { isolateHistory } from "@codemirror/commands";
+import { isolateHistory, undo } from "@codemirror/commands";
 import { Transaction } from "@codemirror/state";
 import { type EditorView, ViewPlugin } from "@codemirror/view";
 import { type WrittenNumber, writtenLike } from "./numbers.ts";
@@ -21,7 +22,8 @@ const ONE_TIME = 1000;
 export class Gesture {
   readonly #view: EditorView;
   readonly #tell: OnNumber;
-  #moved = false;
+  /** The number as it was when it was taken hold of, and how it is written now. */
+  #moved: { start: string; now: string } | null = null;
 
   constructor(view: EditorView, tell: OnNumber) {
     this.#view = view;
@@ -33,21 +35,32 @@ export class Gesture {
   }
 
   move(number: WrittenNumber, value: number): void {
-    const insert = writtenLike(number.text, value);
-    if (insert === number.text) return;
+    const { from, to, text } = number;
+    const insert = writtenLike(text, value);
+    if (insert === text) return;
     const time = Transaction.time.of(ONE_TIME);
     this.#view.dispatch({
-      changes: { from: number.from, to: number.to, insert },
+      changes: { from, to, insert },
       annotations: this.#moved ? time : [time, isolateHistory.of("before")],
     });
-    this.#moved = true;
+    this.#moved = { start: this.#moved?.start ?? text, now: insert };
     this.#tell("moved");
   }
 
   release(): void {
     if (!this.#moved) return;
-    this.#moved = false;
+    const { start, now } = this.#moved;
+    this.#moved = null;
+    if (start === now) this.#dropStep();
     this.#tell("released");
+  }
+
+  /** There and back again has left a step that changes nothing. */
+  #dropStep(): void {
+    // Undoing goes to the caret, and this is not to go anywhere.
+    const scrolled = this.#view.scrollSnapshot();
+    undo(this.#view);
+    this.#view.dispatch({ effects: scrolled });
   }
 }
 

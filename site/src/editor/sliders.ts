@@ -1,9 +1,7 @@
 /**
  * A slider at the end of each line `NAME = number  # … (low to high)`. May import `numbers` and
  * `gesture`.
- *
- * It stays in sight at the editor's right edge, over the end of a long comment if need be; the line
- * can be scrolled until nothing of it is covered.
+ * `sliders.css` finds the room for it.
  */
 import { ensureSyntaxTree, syntaxTree } from "@codemirror/language";
 import { type EditorState, type Extension, RangeSet, StateField } from "@codemirror/state";
@@ -27,8 +25,6 @@ const PAGE_STEPS = 10;
  * read; so the reading is given this long, of which it takes a few hundredths [ms].
  */
 const PARSE_MS = 500;
-/** What of a line a slider covers at the most [px]; the caret is kept out of it. */
-const COVERED_PX = 150;
 
 class Slider extends WidgetType {
   readonly #constant: Constant;
@@ -193,9 +189,4 @@ function constantBehind(state: EditorState, end: number): Constant | undefined {
   return state.field(sliderField).constants.get(end);
 }
 
-export const sliders: Extension = [
-  sliderField,
-  EditorView.scrollMargins.of((view) =>
-    view.state.field(sliderField).constants.size > 0 ? { right: COVERED_PX } : null,
-  ),
-];
+export const sliders: Extension = sliderField;

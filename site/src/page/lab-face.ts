@@ -7,10 +7,12 @@ import type { Player } from "../player/player.ts";
 import type { Cell } from "../trace/frames.ts";
 import type { Trace } from "../trace/trace.ts";
 import { icons } from "../ui/icons.ts";
+import { editorHint, keyWords } from "../ui/key-words.ts";
 import { editorWords, labWords } from "../ui/strings.ts";
 import "../views/chart.ts";
 import "../views/console.ts";
 import "../views/overhead/overhead.ts";
+import { showKeys } from "./keys-dialog.ts";
 import "./lab.css";
 import "./lab-menu.ts";
 import type { MenuGroup } from "./lab-menu.ts";
@@ -85,7 +87,10 @@ function actions({ status: { phase }, onReset, onStop, onRun }: LabFace): Templa
 
 function tools({ hintId, onCodeSize }: LabFace): TemplateResult {
   return html`<div class="lab-tools">
-    <p id=${hintId}>${editorWords.hint}</p>
+    <p id=${hintId}>
+      ${editorHint.run} <span class="with-alt">${editorHint.numbers}</span> ${editorHint.leave}
+    </p>
+    <button type="button" class="keys" @click=${showKeys}>${keyWords.open}</button>
     <button type="button" aria-label=${editorWords.smaller} @click=${() => onCodeSize(-1)}>A−</button>
     <button type="button" aria-label=${editorWords.larger} @click=${() => onCodeSize(1)}>A+</button>
   </div>`;

@@ -6,12 +6,8 @@
  */
 import { megabytes, seconds } from "./dom.ts";
 
-/** The key that goes with Enter to run, as the keyboard in front of the reader has it. */
-const runKey = /Mac|iPhone|iPad/.test(globalThis.navigator?.userAgent ?? "") ? "⌘" : "Ctrl+";
-
 export const editorWords = {
   name: "Program",
-  hint: `${runKey}Enter runs. Esc, then Tab, leaves the editor.`,
   smaller: "Smaller text",
   larger: "Larger text",
 };

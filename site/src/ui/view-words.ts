@@ -20,7 +20,7 @@ export const overheadWords = {
   truth: "really there",
   differs: "unlike the run before",
   otherSize: "cells of another size",
-  outlined: "outlined by the check",
+  outlined: "pointed out",
   more: (count: number) => `and ${count} more`,
 
   /** Of a moment. */
@@ -30,6 +30,9 @@ export const overheadWords = {
     `${counts.join(", ") || "nothing drawn"}${more > 0 ? ` and ${more} more` : ""}`,
   ahead: (name: string, distance: number) => `${name} ${Math.round(distance)} cm ahead`,
   clear: (distance: number) => `nothing within ${distance} cm ahead`,
+
+  pointedOut: (cells: readonly (readonly [x: number, y: number])[], all: number) =>
+    `pointed out: ${all === 1 ? "the cell" : `${all} cells,`} ${all > cells.length ? "with those " : ""}at ${cells.map(([x, y]) => point(x, y)).join(", ")}`,
 
   /** Of a cell. */
   cell: (x: number, y: number) => `Cell ${point(x, y)}`,

@@ -11,6 +11,12 @@ import { consoleWords as words } from "../ui/view-words.ts";
 import "./console.css";
 import { ConsoleLines, type PrintedLine } from "./console-lines.ts";
 
+/**
+ * Lines of a block. A block that is scrolled out of sight costs nothing to lay out (`console.css`
+ * knows its height), so that a flood of lines is as cheap as the few in sight.
+ */
+const BLOCK_LINES = 50;
+
 /** More new lines than this at once are not read out: nobody could follow. */
 const READ_OUT_LINES = 10;
 
@@ -21,7 +27,8 @@ export class ConsoleView extends LitElement {
 
   #lines: { trace: Trace; of: ConsoleLines } | null = null;
   /** What is in the page, row for row. */
-  #rows: { number: number; key: string; element: HTMLElement }[] = [];
+  #rows: Row[] = [];
+  #blocks = new Map<number, HTMLElement>();
   #shownPrints = -1;
   readonly #redraw = (): void => this.requestUpdate();
 
@@ -91,23 +98,44 @@ export class ConsoleView extends LitElement {
       return { number: line.number, key, element: rowOf(line, begins) };
     });
     this.#part(".console-log").ariaLive = added > READ_OUT_LINES ? "off" : "polite";
-    place(
-      this.#part(".console-lines"),
-      rows.map((row) => row.element),
-    );
     this.#rows = rows;
+    this.#place(rows);
     const left = this.#part(".console-left");
     const before = lines[0]?.number ?? 0;
     left.hidden = before === 0;
     left.textContent = words.left(before);
   }
+
+  /** Puts the rows into the page, block by block; what is in its place already is left alone. */
+  #place(rows: readonly Row[]): void {
+    const inBlocks = new Map<number, HTMLElement[]>();
+    for (const { number, element } of rows) {
+      const block = Math.floor(number / BLOCK_LINES);
+      const elements = inBlocks.get(block);
+      if (elements) elements.push(element);
+      else inBlocks.set(block, [element]);
+    }
+    const blocks = Array.from(inBlocks, ([block, elements]) => {
+      const element = this.#blocks.get(block) ?? document.createElement("div");
+      place(element, elements);
+      return [block, element] as const;
+    });
+    this.#blocks = new Map(blocks);
+    place(this.#part(".console-lines"), [...this.#blocks.values()]);
+  }
+}
+
+/** A line as it is in the page. Two of one key look the same. */
+interface Row {
+  number: number;
+  key: string;
+  element: HTMLElement;
 }
 
 function hasError(line: PrintedLine): boolean {
   return line.pieces.some((piece) => piece.stream === "stderr");
 }
 
-/** Two lines of one key look the same. */
 function keyOf(line: PrintedLine, begins: boolean): string {
   return `${begins}${line.pieces.map(({ stream, text }) => `\n${stream}${text}`).join("")}`;
 }

@@ -14,9 +14,16 @@ const AHEAD_CM = 40;
 
 /** A sentence that lists more layers than this is of no help. */
 const MOST_LAYERS = 8;
+/** Nor one that lists more cells than this. */
+const MOST_CELLS = 4;
 
 /** "robot at (100, 112) cm, heading 90°; 901 free, 115 occupied; nothing within 40 cm ahead" */
-export function describeMoment(trace: Trace, t: number, layers: readonly Layer[]): string {
+export function describeMoment(
+  trace: Trace,
+  t: number,
+  layers: readonly Layer[],
+  outlined: readonly Cell[] = [],
+): string {
   const pose = trace.poseAt(t);
   const ahead = aheadOf(trace.header.world, pose);
   return [
@@ -26,7 +33,14 @@ export function describeMoment(trace: Trace, t: number, layers: readonly Layer[]
       layers.length - MOST_LAYERS,
     ),
     ahead.cm <= AHEAD_CM ? words.ahead(ahead.name, ahead.cm) : words.clear(AHEAD_CM),
+    ...(outlined.length > 0
+      ? [words.pointedOut(outlined.slice(0, MOST_CELLS).map(middleOf), outlined.length)]
+      : []),
   ].join("; ");
+}
+
+function middleOf({ x, y, size }: Cell): [x: number, y: number] {
+  return [x + size / 2, y + size / 2];
 }
 
 /** Which cell, and the sentences about it. */

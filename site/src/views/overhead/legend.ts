@@ -18,6 +18,8 @@ export interface Legend {
   /** Cells that no square covers, or null where no squares are drawn. */
   bare: number | null;
   truth: boolean;
+  /** How many cells are pointed out. */
+  outlined: number;
   /** How many cells differ from the run before; null if there is none to compare with. */
   differs: { shown: boolean; count: number | null } | null;
   onLayer(name: string): void;
@@ -50,6 +52,13 @@ export function legend(of: Legend): TemplateResult {
       shown: of.truth,
       toggle: of.onTruth,
     })}
+    ${
+      of.outlined === 0
+        ? nothing
+        : html`<span class="overhead-key">
+            ${outlinedSwatch} ${words.outlined} <b>${of.outlined}</b>
+          </span>`
+    }
     ${
       of.differs === null
         ? nothing
@@ -101,4 +110,5 @@ const bareSwatch = tile(svg``);
 const truthSwatch = tile(svg`
   <rect class="truth" x="3" y="3" width="10" height="10" />
   <path class="truth-hatch" d="M3 8 8 3M3 13 13 3M8 13l5-5" />`);
+const outlinedSwatch = tile(svg`<path class="outlined" d="M4 4h8v8H4zM4 12l8-8" />`);
 const differsSwatch = tile(svg`<path class="differs" d="M4 4h8v8H4zM4 12l8-8" />`);

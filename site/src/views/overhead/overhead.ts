@@ -124,7 +124,7 @@ export class OverheadView extends LitElement {
           @click=${this.#onClick}
         ></canvas>
       </div>
-      <p class="out-of-sight" id="${this.#id}-moment">${describeMoment(trace, time, sight.layers)}</p>
+      <p class="out-of-sight" id="${this.#id}-moment">${describeMoment(trace, time, sight.layers, this.outlined)}</p>
       <p class="out-of-sight" id="${this.#id}-help">${words.cursorHelp}</p>
       <div class="overhead-below">
         ${this.#legend(sight)}
@@ -148,6 +148,7 @@ export class OverheadView extends LitElement {
       hidden: this.#inspector.hidden,
       bare: cells.any ? cells.bare : null,
       truth: this.#showsTruth,
+      outlined: this.outlined.length,
       differs: this.earlier && { shown: this.#showsDifferent, count: different?.length ?? null },
       onLayer: (name) => changed(() => this.#inspector.toggle(name))(),
       onTruth: changed(() => {
