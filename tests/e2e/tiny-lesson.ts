@@ -91,30 +91,26 @@ def stops(task):
 `,
 };
 
-const DATA = {
-  format: 1,
-  lesson: "tiny",
-  code: "U0",
-  title: "A tiny lesson",
-  worlds: [ROOM],
-  programs: {},
-  tasks: {
-    "cell-of": {
-      title: "The cell of a point",
-      ...CELL_OF,
-      world: "empty",
-      seed: 1,
-      stretch: false,
+type Texts = Partial<typeof CELL_OF>;
+
+/** The data of the page; `changed` replaces texts of the first task. */
+function dataOf(changed: Texts): string {
+  const cellOf = { title: "The cell of a point", world: "empty", seed: 1, stretch: false };
+  const stop = { title: "Stop in time", world: "wall-ahead", seed: 1, stretch: true };
+  const data = {
+    format: 1,
+    lesson: "tiny",
+    code: "U0",
+    title: "A tiny lesson",
+    worlds: [ROOM],
+    programs: {},
+    tasks: {
+      "cell-of": { ...CELL_OF, ...changed, ...cellOf },
+      "stop-in-time": { ...DRIVE, ...stop },
     },
-    "stop-in-time": {
-      title: "Stop in time",
-      ...DRIVE,
-      world: "wall-ahead",
-      seed: 1,
-      stretch: true,
-    },
-  },
-};
+  };
+  return JSON.stringify(data).replaceAll("<", "\\u003c");
+}
 
 const task = (name: string, title: string, statement: string): string => `
   <bugbot-task id="task-${name}" name="${name}">
@@ -126,19 +122,20 @@ const task = (name: string, title: string, statement: string): string => `
     <details class="task-hint"><summary>Hint 3</summary><p>Use <code>//</code>.</p></details>
   </bugbot-task>`;
 
-const MAIN = `<main id="main" tabindex="-1">
+const mainOf = (data: string): string => `<main id="main" tabindex="-1">
   <h1>A tiny lesson</h1>
   <h2>Tasks</h2>
   ${task("cell-of", "The cell of a point", "Write <code>cell_of(x, y)</code>, which returns the column and the row of the cell that holds the point. Cells are 5 cm wide and counted from 0, from the lower left corner of the mat.")}
   ${task("stop-in-time", "Stop in time", "Drive up the mat and stop 20 to 40 cm before whatever is in the way.")}
   <progress-tools></progress-tools>
-  <script type="application/json" id="lesson-data">${JSON.stringify(DATA).replaceAll("<", "\\u003c")}</script>
+  <script type="application/json" id="lesson-data">${data}</script>
 </main>`;
 
 /** Opens the lesson: the lab's page, with the lesson's content in place of the lab. */
-export async function openTinyLesson(page: Page): Promise<void> {
+export async function openTinyLesson(page: Page, changed: Texts = {}): Promise<void> {
+  const main = mainOf(dataOf(changed));
   const lab = await page.request.get("lab/");
-  const html = (await lab.text()).replace(/<main[\s\S]*<\/main>/, () => MAIN);
+  const html = (await lab.text()).replace(/<main[\s\S]*<\/main>/, () => main);
   await page.route("**/tiny/", (route) => route.fulfill({ contentType: "text/html", body: html }));
   await page.goto("tiny/");
 }

@@ -40,7 +40,7 @@ export interface TaskFace {
 
 export function taskFace(face: TaskFace): TemplateResult {
   const { name, data, state, title, statement } = face;
-  return html`<section class="task" aria-labelledby=${title.id} data-state=${state}>
+  return html`<article class="task" aria-labelledby=${title.id} data-state=${state}>
     <header class="task-head">
       <p class="task-place">
         ${taskWords.place(face.number, face.of)}
@@ -68,7 +68,7 @@ export function taskFace(face: TaskFace): TemplateResult {
       }
       ${openHints(face)} ${foot(face)}
     </div>
-  </section>`;
+  </article>`;
 }
 
 const STATE_ICONS = { new: icons.notTried, tried: icons.tried, passed: icons.passed };
