@@ -1,7 +1,8 @@
 # Centre of a cell
 #
-# Write centre_of. The program then draws the outlines of some cells, and a red dot
-# where centre_of says that the middle of each one is.
+# Write centre_of, then press Run. There
+# should be a red dot in the middle of every
+# outline.
 
 from bugbot import *
 import math

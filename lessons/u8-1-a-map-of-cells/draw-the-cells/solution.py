@@ -1,20 +1,21 @@
 # Draw the cells
 #
-# The robot drives off. Ten times a second the program calls mark, and twice a second
-# show. Fill in both, so that every cell the robot has been in is coloured.
+# Fill in mark and show, then press Run. Every
+# cell the robot has been in should be
+# coloured.
 
 from bugbot import *
 import math
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row, and in a column
-START = (100, 100)  # where the robot starts on the mat; position() counts from there
+START = (100, 100)  # position() counts from here
 
 visited = [False] * (ACROSS * ACROSS)  # row after row, from the bottom
 
 
 def index_of(x, y):
-    """The place in the list of the cell that holds (x, y); None beyond the mat."""
+    """A point's place in the list, or None."""
     column = math.floor(x / CELL)
     row = math.floor(y / CELL)
     if 0 <= column < ACROSS and 0 <= row < ACROSS:
@@ -23,7 +24,7 @@ def index_of(x, y):
 
 
 def mark():
-    """Note in the list that the robot has been in the cell it is in now."""
+    """Note the cell the robot is in now."""
     x, y = position()
     index = index_of(START[0] + x, START[1] + y)
     if index is not None:
@@ -32,7 +33,7 @@ def mark():
 
 def show():
     """Draw every visited cell."""
-    middles = []
+    middles = []  # of all visited cells
     for index in range(len(visited)):
         if visited[index]:
             column = index % ACROSS

@@ -1,14 +1,16 @@
 # The same look with larger and smaller cells
 #
-# The robot turns once round. Each cell in which a beam ended is coloured black.
-# (How the end of a beam is found is the subject of the next lesson.)
+# The robot turns once round. Each cell in
+# which a beam ended is coloured black. (How
+# the end of a beam is found is the subject of
+# the next lesson.)
 
 from bugbot import *
 import math
 
 # Numbers to change
 CELL = 5  # cm per cell (2 to 50)
-SECONDS = 12  # how long the robot turns (1 to 12)
+SECONDS = 12  # time to turn (1 to 12)
 
 MAT = 200  # side of the mat [cm]
 START = (100, 100)  # where the robot stands

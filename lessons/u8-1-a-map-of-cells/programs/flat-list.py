@@ -1,14 +1,16 @@
 # One list for the whole mat
 #
-# The cells are numbered row after row from the lower left corner. The program
-# shows every number in its place, and then finds one of them.
+# The cells are numbered row after row from
+# the lower left corner. The program shows
+# every number in its place, and then finds
+# one of them.
 
 from bugbot import *
 import math
 
 # Numbers to change
 CELL = 25  # cm per cell (20 to 50)
-INDEX = 27  # the place in the list to look for (0 to 99)
+INDEX = 27  # place to look for (0 to 99)
 
 MAT = 200  # side of the mat [cm]
 ACROSS = math.ceil(MAT / CELL)

@@ -1,7 +1,9 @@
 # The same with NumPy
 #
-# The robot turns once round and keeps every point where a beam ended. At the end
-# all the points become cells at once, and the grid is an array of two dimensions.
+# The robot turns once round and keeps every
+# point where a beam ended. At the end all the
+# points become cells at once, and the grid is
+# an array of two dimensions.
 
 from bugbot import *
 import math

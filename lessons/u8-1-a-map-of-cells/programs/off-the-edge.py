@@ -1,13 +1,15 @@
 # Off the edge
 #
-# The robot looks at the right wall of the mat. The sensor's noise puts about half
-# of the hits a little beyond it. Without a check they land somewhere else.
+# The robot looks at the right wall of the
+# mat. The sensor's noise puts about half of
+# the hits a little beyond it. Without a check
+# they land somewhere else.
 
 from bugbot import *
 import math
 
 # Numbers to change
-CHECK = 1  # 1: points beyond the mat are left out, 0: they are not (0 to 1)
+CHECK = 1  # 0 takes the check away (0 to 1)
 LOOKS = 30  # how often the robot looks (1 to 100)
 
 CELL = 5  # cm per cell

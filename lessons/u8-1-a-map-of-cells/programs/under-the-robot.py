@@ -1,17 +1,19 @@
 # The cell under the robot
 #
-# The robot drives in a circle. Ten times a second the program works out which
-# cell the robot's middle is in, and colours the cells it has been in.
+# The robot drives in a circle. Ten times a
+# second the program works out which cell the
+# robot's middle is in, and colours the cells
+# it has been in.
 
 from bugbot import *
 import math
 
 # Numbers to change
 CELL = 20  # cm per cell (5 to 50)
-SPEED = 80  # driving speed, per cent (0 to 100)
-TURN = 12  # turning speed, per cent (-50 to 50)
+SPEED = 80  # per cent forward (0 to 100)
+TURN = 12  # per cent turning (-50 to 50)
 
-START = (100, 100)  # where the robot stands; position() counts from there
+START = (100, 100)  # position() counts from here
 
 been = []  # the (column, row) of every cell so far
 drive(SPEED, 0, TURN)

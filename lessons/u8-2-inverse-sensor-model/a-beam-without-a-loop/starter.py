@@ -1,7 +1,7 @@
 # A beam without a loop
 #
-# Write cells_passed with NumPy and without a loop. The robot looks round, and the
-# cells that cells_passed gives are counted in a grid of two dimensions.
+# Write cells_passed with NumPy and without a
+# loop, then press Run.
 
 from bugbot import *
 import numpy as np
@@ -12,8 +12,9 @@ START = (100, 40)  # where the robot starts on the mat
 
 
 def cells_passed(x, y, angle, reading):
-    """The cells on the mat that a beam passed, at half-cell steps: rows of (column, row)."""
-    # ---- your part: at present every beam goes 30 cm straight up the mat ----
+    """Rows of (column, row): the cells passed."""
+    # ---- your part ----
+    # At present every beam goes 30 cm up.
     along = np.arange(0, 30, CELL)
     points = np.column_stack([x + 0 * along, y + along])
     cells = np.floor(points / CELL).astype(int)

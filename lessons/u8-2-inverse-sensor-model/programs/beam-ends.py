@@ -1,15 +1,16 @@
 # Where the beams end
 #
-# The robot turns once round. Each reading becomes a point on the mat: a red dot
-# where the beam ended.
+# The robot turns once round. Each reading
+# becomes a point on the mat: a red dot where
+# the beam ended.
 
 from bugbot import *
 import math
 
 # Numbers to change
 SWAP = 0  # 1 swaps sine and cosine (0 to 1)
-HEADING = 1  # 0 leaves the robot's heading out (0 to 1)
-SECONDS = 10  # how long the robot turns (1 to 10)
+HEADING = 1  # 0 leaves it out (0 to 1)
+SECONDS = 10  # time to turn (1 to 10)
 
 START = (100, 100)  # where the robot stands
 

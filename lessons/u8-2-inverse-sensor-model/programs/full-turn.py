@@ -1,14 +1,16 @@
 # A full turn
 #
-# The robot turns once round. Cells that beams passed are blue, cells where beams
-# ended are black, and where the beams disagree the cell is orange.
+# The robot turns once round. Cells that beams
+# passed are blue, cells where beams ended are
+# black, and where the beams disagree the cell
+# is orange.
 
 from bugbot import *
 import math
 
 # Numbers to change
-SHORT = 1  # stop this many cells short of a hit (0 to 4)
-SECONDS = 10  # how long the robot turns (1 to 10)
+SHORT = 1  # cells short of a hit (0 to 4)
+SECONDS = 10  # time to turn (1 to 10)
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row, and in a column

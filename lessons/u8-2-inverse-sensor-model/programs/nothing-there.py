@@ -1,13 +1,15 @@
 # A reading of nothing
 #
-# The robot stands in a corner, so the far corner of the mat is out of its
-# sensor's reach. Readings of FAR or more are not taken for walls.
+# The robot stands in a corner, so the far
+# corner of the mat is out of its sensor's
+# reach. Readings of FAR or more are not taken
+# for walls.
 
 from bugbot import *
 import math
 
 # Numbers to change
-FAR = 201  # a reading this long or longer is no wall, in cm (100 to 201)
+FAR = 201  # from here on no wall, cm (100 to 201)
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row, and in a column

@@ -1,14 +1,16 @@
 # A whole scan with NumPy
 #
-# All the steps of all eight beams are worked out at once, as arrays of eight rows.
-# Two grids count how often each cell was passed and how often it was hit.
+# All the steps of all eight beams are worked
+# out at once, as arrays of eight rows. Two
+# grids count how often each cell was passed
+# and how often it was hit.
 
 from bugbot import *
 import numpy as np
 
 # Numbers to change
 CELL = 5  # cm per cell (2 to 20)
-SECONDS = 10  # how long the robot turns (1 to 10)
+SECONDS = 10  # time to turn (1 to 10)
 
 MAT = 200  # side of the mat [cm]
 START = (100, 100)  # where the robot stands

@@ -1,13 +1,15 @@
 # One beam
 #
-# The robot turns by ANGLE and takes one reading straight ahead. The floor that the
-# beam passed over is blue, the cell where it ended is black.
+# The robot turns by ANGLE and takes one
+# reading straight ahead. The floor that the
+# beam passed over is blue, the cell where it
+# ended is black.
 
 from bugbot import *
 import math
 
 # Numbers to change
-ANGLE = 0  # which way to look, in degrees clockwise (-180 to 180)
+ANGLE = 0  # degrees clockwise (-180 to 180)
 CELL = 5  # cm per cell (2 to 20)
 
 START = (100, 40)  # where the robot stands

@@ -1,14 +1,16 @@
 # Steps along a beam
 #
-# A beam of 150 cm, and the cells that are found by walking along it in steps. The
-# cells that it really crosses, but that no step fell into, are orange.
+# A beam of 150 cm, and the cells that are
+# found by walking along it in steps. The
+# cells that it really crosses, but that no
+# step fell into, are orange.
 
 from bugbot import *
 import math
 
 # Numbers to change
-STEP = 1  # length of a step, in cells (0.1 to 2)
-ANGLE = 25  # direction of the beam, in degrees clockwise (0 to 90)
+STEP = 1  # step, in cells (0.1 to 2)
+ANGLE = 25  # degrees clockwise (0 to 90)
 
 CELL = 10  # cm per cell
 START = (25, 25)  # where the beam begins

@@ -1,7 +1,7 @@
 # The cells it passed
 #
-# Write cells_passed. The robot sends out one beam to the right of the way it faces, and
-# the cells that cells_passed gives are coloured.
+# Write cells_passed, then press Run. The
+# cells should follow the red beam.
 
 from bugbot import *
 import math
@@ -12,13 +12,13 @@ START = (100, 40)  # where the robot starts on the mat
 
 
 def end_of_beam(x, y, angle, length):
-    """The point that lies so many cm from (x, y), at an angle clockwise from up the mat."""
+    """The point so many cm along a beam."""
     direction = math.radians(angle)
     return x + length * math.sin(direction), y + length * math.cos(direction)
 
 
 def cell_of(x, y):
-    """The (column, row) of the cell that holds a point; None beyond the mat."""
+    """The (column, row) of a point, or None."""
     column = math.floor(x / CELL)
     row = math.floor(y / CELL)
     if 0 <= column < ACROSS and 0 <= row < ACROSS:
@@ -27,7 +27,7 @@ def cell_of(x, y):
 
 
 def cells_passed(x, y, angle, reading):
-    """The cells that a beam passed, up to one cell short of where it ended: a list."""
+    """The list of cells that a beam passed."""
     cells = []
     along = 0
     while along < reading - CELL:

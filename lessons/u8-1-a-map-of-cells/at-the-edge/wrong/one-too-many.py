@@ -1,8 +1,9 @@
 # earns: the last column is ACROSS - 1
 # At the edge
 #
-# Write index_of. The program then draws some points as red dots, and colours the cell
-# that index_of gives for each. The dots beyond the mat must get no cell.
+# Write index_of, then press Run. Each red dot
+# on the mat should get its cell, the others
+# none.
 
 from bugbot import *
 import math
@@ -12,12 +13,12 @@ ACROSS = 20  # cells in a row, and in a column
 
 
 def cell_of(x, y):
-    """The column and the row of the cell that holds the point (x, y), in cm."""
+    """The (column, row) that holds a point."""
     return math.floor(x / CELL), math.floor(y / CELL)
 
 
 def index_of(x, y):
-    """The place in the list of the cell that holds (x, y); None beyond the mat."""
+    """A point's place in the list, or None."""
     column, row = cell_of(x, y)
     if 0 <= column <= ACROSS and 0 <= row <= ACROSS:
         index = row * ACROSS + column

@@ -1,8 +1,8 @@
 # earns: counted from 1
 # Cell of a point
 #
-# Write cell_of. The program then draws some points as red dots, and round each
-# of them the outline of the cell that cell_of gives.
+# Write cell_of, then press Run. Each red dot
+# should get the outline of its own cell.
 
 from bugbot import *
 import math
@@ -11,7 +11,7 @@ CELL = 10  # cm per cell
 
 
 def cell_of(x, y):
-    """The column and the row of the cell that holds the point (x, y), in cm."""
+    """The (column, row) that holds a point."""
     column = math.floor(x / CELL) + 1
     row = math.floor(y / CELL) + 1
     return column, row

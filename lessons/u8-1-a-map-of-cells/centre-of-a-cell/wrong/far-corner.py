@@ -1,8 +1,9 @@
 # earns: upper right corner
 # Centre of a cell
 #
-# Write centre_of. The program then draws the outlines of some cells, and a red dot
-# where centre_of says that the middle of each one is.
+# Write centre_of, then press Run. There
+# should be a red dot in the middle of every
+# outline.
 
 from bugbot import *
 import math

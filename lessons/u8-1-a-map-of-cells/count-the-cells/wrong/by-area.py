@@ -1,18 +1,19 @@
 # earns: areas were divided
 # Count the cells
 #
-# Write count_cells. The program then lays as many cells as you count, row after
-# row. If the count is right they cover the mat, and there are no more of them.
+# Write count_cells, then press Run. So many
+# cells are laid; they should just cover the
+# mat.
 
 from bugbot import *
 import math
 
-SIDE = 30  # the side of a cell, in cm (10 to 100)
-MAT = 200  # the side of the mat, in cm
+SIDE = 30  # cm per cell (10 to 100)
+MAT = 200  # side of the mat, in cm
 
 
 def count_cells(side):
-    """How many square cells of this side, in cm, it takes to cover the whole mat."""
+    """How many cells cover the whole mat."""
     count = math.ceil(MAT * MAT / (side * side))
     return count
 

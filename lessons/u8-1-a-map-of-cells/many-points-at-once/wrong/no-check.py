@@ -1,8 +1,9 @@
 # earns: beyond the mat were kept
 # Many points at once
 #
-# Write cells_of with NumPy and without a loop. The program scatters points on the
-# mat and round it, and colours the cells that cells_of gives.
+# Write cells_of with NumPy and without a
+# loop. Cells with a red dot should be
+# coloured.
 
 from bugbot import *
 import numpy as np
@@ -12,11 +13,9 @@ ACROSS = 20  # cells in a row, and in a column
 
 
 def cells_of(points):
-    """The cells of those points that lie on the mat: an array of rows (column, row).
-
-    points: a list of (x, y) in cm
-    """
-    points = np.array(points, dtype=float)  # one row for each point: x and y
+    """The cells of the points on the mat."""
+    points = np.array(points, dtype=float)
+    # points now has one row (x, y) for each point
     cells = np.floor(points / CELL).astype(int)
     return cells
 

@@ -1,8 +1,8 @@
 # earns: degrees look taken for radians
 # A beam without a loop
 #
-# Write cells_passed with NumPy and without a loop. The robot looks round, and the
-# cells that cells_passed gives are counted in a grid of two dimensions.
+# Write cells_passed with NumPy and without a
+# loop, then press Run.
 
 from bugbot import *
 import numpy as np
@@ -13,7 +13,7 @@ START = (100, 40)  # where the robot starts on the mat
 
 
 def cells_passed(x, y, angle, reading):
-    """The cells on the mat that a beam passed, at half-cell steps: rows of (column, row)."""
+    """Rows of (column, row): the cells passed."""
     direction = angle
     along = np.arange(0, reading - CELL, CELL / 2)
     points = np.column_stack([x + along * np.sin(direction), y + along * np.cos(direction)])

@@ -1,23 +1,23 @@
 # earns: no hit is kept
 # A whole scan
 #
-# The robot looks round from two places. At present look uses one reading only, the
-# one straight ahead. Let it use the whole scan.
+# Let look use the whole scan, then press Run.
+# The room should appear.
 
 from bugbot import *
 import math
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row, and in a column
-FAR = 170  # a reading this long or longer is no wall, in cm
-START = (100, 100)  # where the robot starts on the mat; position() counts from there
+FAR = 170  # from here on no wall, in cm
+START = (100, 100)  # position() counts from here
 
 free = set()  # every cell that any beam passed
 hits = set()  # every cell where any beam ended
 
 
 def cell_at(x, y, angle, length):
-    """The cell so many cm from (x, y), at an angle clockwise from up the mat; None beyond it."""
+    """The cell so far along a beam, or None."""
     direction = math.radians(angle)
     column = math.floor((x + length * math.sin(direction)) / CELL)
     row = math.floor((y + length * math.cos(direction)) / CELL)
@@ -27,7 +27,7 @@ def cell_at(x, y, angle, length):
 
 
 def beam_says(x, y, angle, reading):
-    """What one reading says: the set of free cells, and the cell that was hit or None."""
+    """The free cells, and the hit or None."""
     clear = reading - CELL if reading < FAR else FAR
     passed = {cell_at(x, y, angle, i * CELL / 2) for i in range(int(clear / (CELL / 2)))}
     hit = cell_at(x, y, angle, reading) if reading < FAR else None
@@ -35,7 +35,7 @@ def beam_says(x, y, angle, reading):
 
 
 def look():
-    """Add what the robot sees from where it is now to free and to hits."""
+    """Add what the robot sees from here."""
     x = START[0] + position()[0]
     y = START[1] + position()[1]
     for angle, reading in scan():
@@ -44,7 +44,7 @@ def look():
 
 
 def show():
-    """Draw the cells. A cell that was both passed and hit is drawn as hit."""
+    """Draw the cells; a hit goes before free."""
     for name, cells, colour in [("free", free - hits, "#9ecae1"), ("hit", hits, "black")]:
         middles = [((column + 0.5) * CELL, (row + 0.5) * CELL) for column, row in sorted(cells)]
         draw(name, middles, colour, "squares", CELL)

@@ -1,8 +1,8 @@
 # earns: sideways too late
 # Bresenham's line
 #
-# Write line_of_cells with whole numbers only. The program draws lines from the middle of
-# the mat in many directions.
+# Write line_of_cells, then press Run. Every
+# line should come out without a gap.
 
 from bugbot import *
 
@@ -10,7 +10,7 @@ CELL = 5  # cm per cell
 
 
 def line_of_cells(first, last):
-    """The cells of a line from one cell to another, both included, in order: a list."""
+    """The cells of a line, ends included."""
     column, row = first
     cells = [(column, row)]
     wide, high = abs(last[0] - column), abs(last[1] - row)

@@ -1,21 +1,17 @@
 # earns: where the beam began was left out
 # Where a beam ends
 #
-# Write end_of_beam. The robot turns in four steps and looks after each. A line goes out
-# to every point that end_of_beam gives: those points should lie along the wall.
+# Write end_of_beam, then press Run. The red
+# dots should lie along the wall.
 
 from bugbot import *
 import math
 
-START = (100, 40)  # where the robot starts on the mat; position() counts from there
+START = (100, 40)  # position() counts from here
 
 
 def end_of_beam(x, y, angle, reading):
-    """The point, in cm on the mat, where a beam ended that began at (x, y).
-
-    angle: degrees clockwise from straight up the mat
-    reading: how far the beam went, in cm
-    """
+    """The point where a beam ended."""
     direction = math.radians(angle)
     end_x = reading * math.sin(direction)
     end_y = reading * math.cos(direction)
