@@ -31,6 +31,7 @@ from mapping.beam import PassedBy, Weights, passed_by_steps
 from mapping.frontiers import State
 from mapping.grid import Grid
 from mapping.log_odds import KNOWN
+from mapping.mapper import Mapper
 from mapping.score import Rectangle
 
 __all__ = ["Run"]
@@ -56,7 +57,9 @@ class Run:
         self._trouble = trouble
         self._mistakes: tuple[Mistake, ...] = ()
         self._maps: list[Map] = []
+        # Worked out once, and shared by all that look at this run.
         self._touched: dict[tuple[float, float], set[int]] = {}
+        self._mappers: dict[tuple[Any, ...], Mapper] = {}
         self._world = World.from_dict(job["world"])
         self.start: Start = self._world.start
         self.obstacles: list[Rectangle] = [
@@ -170,8 +173,10 @@ class Run:
         seen_as: SeenAs | None = None,
     ) -> Map:
         """The reference's map of this run's scans, taken as they were or as a slip would."""
-        mapper = mapper_of(self.scans, cell_cm, weights, passed_by, seen_as)
-        return reference_map(self, mapper, known, self.seconds)
+        key = (cell_cm, weights, passed_by, seen_as)
+        if key not in self._mappers:
+            self._mappers[key] = mapper_of(self.scans, *key)
+        return reference_map(self, self._mappers[key], known, self.seconds)
 
     def evidence_at(
         self,
