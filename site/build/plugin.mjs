@@ -16,15 +16,18 @@ const FOLDER = "python";
 
 /** @typedef {Awaited<ReturnType<typeof preparePython>>} PreparedPython */
 
-/** @returns {import("vite").Plugin[]} */
-export function bugbot() {
+/**
+ * @param {{ lessons?: string }} [options] lessons: the folder of another course.json
+ * @returns {import("vite").Plugin[]}
+ */
+export function bugbot({ lessons = join(ROOT, "lessons") } = {}) {
   /** @type {Promise<PreparedPython> | undefined} */
   let preparing;
   const prepare = () => {
     preparing ??= preparePython((text) => console.log(text));
     return preparing;
   };
-  return [siteData(prepare), lessonPages(prepare)];
+  return [siteData(prepare), lessonPages(prepare, lessons)];
 }
 
 /**

@@ -7,7 +7,7 @@
  * @typedef {import("./prose.mjs").Prose} Prose
  * @typedef {import("./prose.mjs").PlacedDirective} PlacedDirective
  * @typedef {import("markdown-it").Token} Token
- * @typedef {{ statement: Token[], hints: Token[][] }} TaskWords
+ * @typedef {{ title: Token[], statement: Token[], hints: Token[][] }} TaskWords
  * @typedef {{
  *   lesson: Lesson,
  *   prose: Prose,
@@ -142,6 +142,7 @@ ${programHtml(program.source, `Program: ${program.title}`)}
  * @param {Prose} prose
  */
 function taskHtml(task, words, prose) {
+  const title = prose.render(words.title);
   const stretch = task.stretch
     ? `<p>This task goes a step further than the lesson needs.</p>\n`
     : "";
@@ -150,7 +151,7 @@ function taskHtml(task, words, prose) {
       `<details class="task-hint"><summary>Hint ${index + 1}</summary>${prose.render(hint)}</details>`,
   );
   return `<bugbot-task id="task-${task.name}" name="${task.name}">
-<h3>${escapeHtml(task.title)}</h3>
+<h3>${title}</h3>
 <div class="task-statement">${prose.render(words.statement)}</div>
 <div class="task-plain">
 ${stretch}<p>Start from this program:</p>

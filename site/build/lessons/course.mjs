@@ -134,6 +134,7 @@ export class Course {
       lesson,
       prose,
       tokens,
+      taskWords,
       path: pathOf(slug),
       katex: this.#options.katex,
       position: number > 0 ? { number, of: lessons.length } : null,
@@ -217,11 +218,15 @@ function draft(lesson) {
   const tokens = prose.parse(text, { file, line: 1 });
   const taskWords = new Map(
     [...lesson.tasks.values()].map((task) => {
-      /** @param {string} words @param {"statement" | number} part */
+      /** @param {string} words @param {"title" | "statement" | number} part */
       const parse = (words, part) =>
         prose.parse(words, { file: lesson.json, line: task.lineOf(part) }, { oneLine: true });
       const hints = task.hints.map((hint, index) => parse(hint, index));
-      return [task.name, { statement: parse(task.statement, "statement"), hints }];
+      const title = prose.parseInline(task.title, {
+        file: lesson.json,
+        line: task.lineOf("title"),
+      });
+      return [task.name, { title, statement: parse(task.statement, "statement"), hints }];
     }),
   );
   return { lesson, prose, tokens, taskWords };

@@ -15,6 +15,8 @@ export class LessonFaults extends Error {
     super(`${count} in the lessons:\n\n${faults.map(faultText).join("\n\n")}`);
     this.name = "LessonFaults";
     this.faults = faults;
+    // Where in the build they were found is of no use to who wrote the lesson.
+    this.stack = this.message;
   }
 }
 

@@ -9,8 +9,8 @@
  * @typedef {{
  *   name: string, title: string, statement: string, hints: string[], world: string, seed: number,
  *   stretch: boolean, starter: string, solution: string, check: string,
- *   lineOf: (part: "statement" | number) => number,
- * }} Task lineOf says on which line of lesson.json the statement or a hint stands
+ *   lineOf: (part: "title" | "statement" | number) => number,
+ * }} Task lineOf says on which line of lesson.json the title, the statement or a hint stands
  * @typedef {{
  *   slug: string,
  *   folder: string,
@@ -236,9 +236,9 @@ function tasksOf(data, reader, lineOf) {
       const [starter, solution, check] = ["starter.py", "solution.py", "check.py"].map((part) =>
         reader.text(join(reader.folder, name, part), "write it, or take the task out.", named),
       );
-      /** @param {"statement" | number} part */
+      /** @param {"title" | "statement" | number} part */
       const at = (part) =>
-        lineOf(["tasks", index, ...(part === "statement" ? [part] : ["hints", part])]);
+        lineOf(["tasks", index, ...(typeof part === "string" ? [part] : ["hints", part])]);
       const words = { name, title, statement, hints, world, seed, stretch };
       return [name, { ...words, starter, solution, check, lineOf: at }];
     }),

@@ -8,6 +8,7 @@
  * @typedef {{ slug: string, path: string, code: string | null, title: string }} Link
  * @typedef {{
  *   lesson: Lesson, prose: Prose, tokens: Token[],
+ *   taskWords: ReadonlyMap<string, import("./blocks.mjs").TaskWords>,
  *   path: string, katex: string | null,
  *   position: { number: number, of: number } | null,
  *   assumes: Link[], previous: Link | null, next: Link | null,
@@ -44,7 +45,7 @@ export function lessonPage(page) {
       : "",
     ROOT: toRoot(path),
     LESSON_HEAD: lessonHead(page),
-    CONTENTS: contentsHtml(lesson, tokens),
+    CONTENTS: contentsHtml(page),
     BODY: body,
     NEIGHBOURS: neighbours(page),
     DATA: jsonScript('type="application/json" id="lesson-data"', lessonData(lesson)),
@@ -60,8 +61,10 @@ export function lessonPage(page) {
 }
 
 /** @param {PageInput} page */
-function lessonHead({ lesson, tokens, path, position, assumes }) {
+function lessonHead({ lesson, prose, tokens, path, position, assumes }) {
   const { code, title, summary, minutes, goals } = lesson.about;
+  /** @param {string} text of lesson.json */
+  const inline = (text) => prose.render(prose.parseInline(text, { file: lesson.json, line: 1 }));
   const words = plainText(tokens).split(/\s+/).length;
   const reading = Math.max(1, Math.round(words / WORDS_A_MINUTE));
   const time =
@@ -72,11 +75,11 @@ function lessonHead({ lesson, tokens, path, position, assumes }) {
     (link) => `<a href="${toRoot(path)}${link.path}">${escapeHtml(linkText(link))}</a>`,
   );
   const before = links.length > 0 ? `<div><dt>Assumes</dt><dd>${links.join(", ")}</dd></div>` : "";
-  const list = goals.map((goal) => `<li>${escapeHtml(goal)}</li>`).join("\n");
+  const list = goals.map((goal) => `<li>${inline(goal)}</li>`).join("\n");
   const tasks = lesson.tasks.size;
   const progress = tasks > 0 ? `<div><dt>Tasks</dt><dd class="task-count">${tasks}</dd></div>` : "";
   return `${over ? `<p class="over">${escapeHtml(over)}</p>\n` : ""}<h1>${escapeHtml(title)}</h1>
-<p class="lead">${escapeHtml(summary)}</p>
+<p class="lead">${inline(summary)}</p>
 <dl class="lesson-facts"><div><dt>Time</dt><dd>${time}</dd></div>${progress}${before}</dl>
 <div class="goals"><p>Afterwards you can</p>
 <ul>
@@ -86,10 +89,9 @@ ${list}
 
 /**
  * The sections, each with its tasks.
- * @param {Lesson} lesson
- * @param {Token[]} tokens
+ * @param {PageInput} page
  */
-function contentsHtml(lesson, tokens) {
+function contentsHtml({ lesson, prose, tokens, taskWords }) {
   /** @type {{ id: string, text: string, tasks: string[] }[]} */
   const sections = [];
   for (const token of tokens) {
@@ -103,7 +105,8 @@ function contentsHtml(lesson, tokens) {
     );
     const task = placed.name === "task" ? lesson.tasks.get(placed.argument) : undefined;
     if (!task) continue;
-    const link = `<li data-task="${task.name}"><a href="#task-${task.name}">${escapeHtml(task.title)}</a></li>`;
+    const title = prose.render(taskWords.get(task.name)?.title ?? []);
+    const link = `<li data-task="${task.name}"><a href="#task-${task.name}">${title}</a></li>`;
     sections.at(-1)?.tasks.push(link);
   }
   const items = sections.map(({ id, text, tasks }) => {

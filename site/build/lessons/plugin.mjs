@@ -18,7 +18,6 @@ import { Measurer } from "./measure.mjs";
 import { siteMap, withFrame } from "./site-frame.mjs";
 
 const SITE = join(ROOT, "site");
-const FOLDER = join(ROOT, "lessons");
 const KATEX = join(ROOT, "node_modules/katex/dist");
 
 /** Several files saved at once are one change [ms]. */
@@ -26,9 +25,10 @@ const QUIET_MS = 80;
 
 /**
  * @param {() => Promise<PreparedPython>} preparePython
+ * @param {string} folder of course.json
  * @returns {import("vite").Plugin}
  */
-export function lessonPages(preparePython) {
+export function lessonPages(preparePython, folder) {
   let dev = false;
   /** The pages of the build by the path of the file they would be. @type {Map<string, string>} */
   const files = new Map();
@@ -40,7 +40,7 @@ export function lessonPages(preparePython) {
   /** The course as it is on the disk now. */
   const course = async () => {
     tools ??= preparePython().then((python) => ({
-      folder: FOLDER,
+      folder,
       worlds: /** @type {import("./course.mjs").World[]} */ (python.course.worlds),
       measurer: new Measurer(python, (text) => console.log(text)),
     }));
@@ -55,7 +55,7 @@ export function lessonPages(preparePython) {
 
     config(_config, { command }) {
       dev = command === "serve";
-      const { slugs } = readCourse(FOLDER);
+      const { slugs } = readCourse(folder);
       paths = slugs.map(pathOf);
       const pages = paths.map((path) => [path, join(SITE, path, "index.html")]);
       return {
@@ -113,7 +113,7 @@ export function lessonPages(preparePython) {
           next(error);
         }
       });
-      reloadOnChange(server);
+      reloadOnChange(server, folder);
     },
   };
 }
@@ -133,14 +133,17 @@ async function pageOrFaults(course, slug) {
   }
 }
 
-/** @param {import("vite").ViteDevServer} server */
-function reloadOnChange(server) {
+/**
+ * @param {import("vite").ViteDevServer} server
+ * @param {string} folder
+ */
+function reloadOnChange(server, folder) {
   const template = join(SITE, "lesson.html");
-  server.watcher.add([FOLDER, template]);
+  server.watcher.add([folder, template]);
   /** @type {NodeJS.Timeout | undefined} */
   let timer;
   server.watcher.on("all", (_event, path) => {
-    if (path !== template && !path.startsWith(FOLDER + sep)) return;
+    if (path !== template && !path.startsWith(folder + sep)) return;
     clearTimeout(timer);
     timer = setTimeout(() => server.ws.send({ type: "full-reload" }), QUIET_MS);
   });

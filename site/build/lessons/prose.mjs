@@ -50,7 +50,7 @@ export class Prose {
    * @returns {Token[]}
    */
   parse(text, place, { oneLine = false } = {}) {
-    const tokens = this.#md.parse(text, {});
+    const tokens = this.#md.parse(guardTables(text), {});
     this.#note(tokens, place, oneLine);
     return tokens;
   }
@@ -108,6 +108,9 @@ export class Prose {
    * @param {Place} place
    */
   #inside(token, place) {
+    if (token.type === "text" && token.content.includes("{{")) {
+      this.wrong(place, "{{ is never closed in this piece of text", "write }} where it ends.");
+    }
     if (token.type === "formula") this.#formula(token, place);
     if (token.type === "reference") this.#reference(token, place);
     if (token.type === "link_open")
@@ -185,6 +188,16 @@ export class Prose {
     token.meta = { placed };
     this.directives.push(placed);
   }
+}
+
+/**
+ * In a row of a table, the | of a reference is not the end of a cell.
+ * @param {string} text
+ */
+function guardTables(text) {
+  return text.replace(/^\s*\|.*$/gm, (row) =>
+    row.replace(/\{\{.*?\}\}/g, (reference) => reference.replace(/(?<!\\)\|/g, "\\|")),
+  );
 }
 
 /**
