@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import ast
+import itertools
+import math
+import re
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -10,7 +13,9 @@ import pytest
 from programs import DEMOS, drawn_map, obstacles_of, run, score_of, value_at
 
 from bugbot import worlds
+from mapping.beam import bresenham
 from mapping.frontiers import known_states, regions, states_by_probability
+from mapping.log_odds import log_odds
 from mapping.mapper import Mapper
 
 WORLDS = {
@@ -207,3 +212,65 @@ def test_what_a_demo_says_about_its_world_is_so(name):
     said = constants(name)
     assert said["START"] == (world.start.x, world.start.y)
     assert said.get("REAL", obstacles_of(world.name)) == obstacles_of(world.name)
+
+
+# -- the article ------------------------------------------------------------------
+
+ARTICLE = (DEMOS.parent / "lesson.md").read_text("utf-8")
+
+
+def article_code() -> list[str]:
+    return re.findall(r"^```python\n(.*?)^```$", ARTICLE, flags=re.M | re.S)
+
+
+def rows_after(heading: str) -> list[list[str]]:
+    """The cells of the first table after a line of the article, without its two rows of heads."""
+    lines = ARTICLE.split(f"\n{heading}\n")[1].split("\n\n")
+    table = next(block for block in lines if block.startswith("|")).splitlines()
+    return [[cell.strip() for cell in row.strip("|").split("|")] for row in table[2:]]
+
+
+def typed(number: str) -> float:
+    return float(number.replace("−", "-"))
+
+
+def test_the_articles_table_of_log_odds_is_right():
+    rows = rows_after("## Log odds")
+    assert len(rows) > 6
+    for p, l, _ in rows:  # noqa: E741
+        assert log_odds(typed(p)) == pytest.approx(typed(l), abs=0.12 if typed(l) == 8 else 0.006)
+
+
+def test_the_articles_table_of_systems_is_right():
+    for system, hit, miss, limits, hits, passes in rows_after("### The numbers of real systems"):
+        added = [typed(cell.split()[0]) for cell in (hit, miss)]
+        for cell, value in zip((hit, miss), added, strict=True):
+            if "p = " in cell:
+                p = float(cell.split("p = ")[1].rstrip(")"))
+                assert log_odds(p) == pytest.approx(value, abs=0.0006), system
+        top = typed(re.findall(r"[\d.]+", limits)[-1])
+        assert int(hits) == math.ceil(top / added[0] - 1e-9), system
+        most = int(hits) * added[0] if "added" in limits else top
+        assert int(passes) == math.ceil(most / -added[1] - 1e-9), system
+
+
+def test_the_articles_list_code_maps_as_the_reference_mapper_does():
+    names: dict[str, Any] = {}
+    exec(article_code()[0], names)
+    mapper = Mapper()
+    for angle, reading in [(0, 100.0), (37, 52.5), (200, 171.0), (285, 200.0), (90, 3.0)]:
+        for _ in range(9):
+            names["add_beam"](101, 99, angle, reading)
+            mapper.add_beam(101, 99, angle, reading)
+    assert names["log_odds"] == pytest.approx(mapper.grid.cells)
+
+
+def test_the_articles_numpy_code_draws_bresenhams_line():
+    names: dict[str, Any] = {}
+    exec(article_code()[1], names)
+    grid = names["grid"]
+    assert grid[26, 33] == pytest.approx(0.85)
+    assert sorted({round(float(value), 2) for value in grid.flat}) == [-0.4, 0, 0.85]
+    for last in itertools.product(range(6), range(6)):
+        rows, columns = names["line"]((2, 3), last)
+        assert list(zip(columns.tolist(), rows.tolist(), strict=True)) == bresenham((2, 3), last)
