@@ -9,6 +9,7 @@ const { ensureBrowser } = await import("./setup.mjs");
 ensureBrowser();
 console.log("\n== build");
 await build();
+step("lessons", () => run("node", ["site/build/lesson-check.mjs"]));
 step("browser tests", () =>
   run("npx", ["playwright", "test", "--config", "tests/playwright.config.ts", "--project=e2e*"]),
 );

@@ -51,6 +51,8 @@ class Caller:
         self.late_on: int | None = None
         """The line on which the program was when it had computed for too long."""
         self._until = 0.0
+        self._before: Any = None
+        """Who looked on before: a debugger, a measure of coverage, or nobody."""
         self._trace: Trace | None = None
 
     def follow(self, trace: Trace) -> None:
@@ -59,6 +61,7 @@ class Caller:
 
     def make_calls(self, module: ModuleType) -> None:
         """Make all calls; for `run_program`, once the program has come to its end."""
+        sys.settrace(self._before)
         for call in self._calls:
             if self.late:
                 self.answers.append({"skipped": True})
@@ -140,7 +143,7 @@ class Caller:
         own lines. What computes inside one single line is ended by whoever runs the performer.
         """
         self._until = real_time() + seconds
-        before = sys.gettrace()
+        before = self._before = sys.gettrace()
         sys.settrace(self._on_line)
         try:
             return work()
