@@ -10,6 +10,7 @@ NumPy, so that everything else runs where there is none.
     frontiers.py  three states, frontier cells, regions, where to go next
     score.py      a map against what really stands on the mat
     arrays.py     the same grid as a NumPy array
+    ros_map.py    map files of ROS, with images.py (PGM, PNG) and map_yaml.py
 
 It marks what learners build and is itself never imported by their programs.
 A grid is a flat list, row after row, with row 0 at the bottom of the mat:
