@@ -1,17 +1,18 @@
 # How many hits to change its mind?
 #
-# The cell starts as free as the clamp allows. It is hit again and again until the map
-# calls it occupied. The chart shows the log odds; the console, your answer.
+# The cell starts as free as the clamp allows. It is hit
+# again and again until the map calls it occupied. The
+# chart shows the log odds; the console, your answer.
 
 from bugbot import *
 import math
 
-KNOWN = 1  # a cell is occupied when its log odds are above this
+KNOWN = 1  # a cell is occupied with log odds above this
 
 
 # ---- your part ----
 def hits_needed(l, l_occ):
-    """How many hits, each adding l_occ, bring log odds l above KNOWN."""
+    """How many hits of l_occ each bring l above KNOWN."""
     hits = 0
     while l <= KNOWN:
         l += l_occ

@@ -1,18 +1,19 @@
 # Clamp
 #
-# One cell. It is hit 30 times, and then beams pass through it for 60 half-cell steps.
-# Watch what the clamp does to the line when your function has one.
+# One cell. It is hit 30 times, and then beams pass
+# through it for 60 half-cell steps. Watch what the
+# clamp does to the line when your function has one.
 
 from bugbot import *
 
-L_OCC = 0.85  # the evidence of a hit
-L_FREE = -0.4  # the evidence of each half-cell step of a pass
+L_OCC = 0.85  # evidence of a hit
+L_FREE = -0.4  # evidence of each step of a pass
 L_MAX = 8  # the clamp
 
 
 # ---- your part ----
 def add(l, evidence, limit):
-    """Log odds l with the evidence added, kept between -limit and limit."""
+    """l with the evidence added, between -limit and limit."""
     return l
 
 

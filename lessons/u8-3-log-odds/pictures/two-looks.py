@@ -11,7 +11,7 @@ def picture() -> str:
     """The picture as one <svg>."""
     drawing = Drawing(
         340,
-        164,
+        170,
         "A hundred cells, looked at twice",
         "Three groups of cells. At first 50 are occupied and 50 free. Those with one hit: 35 "
         "occupied and 15 free. Those with two hits: 24.5 occupied and 4.5 free.",
@@ -36,5 +36,5 @@ def picture() -> str:
         occupied, free = occupied * RIGHT, round(free * (1 - RIGHT), 3)
     for left, _ in PANELS[1:]:
         drawing.text(left - 14, 70, "→", "middle strong")
-    drawing.text(8, 162, "black: occupied; light blue: free", "small soft")
+    drawing.text(8, 164, "black: occupied; light blue: free", "small soft")
     return drawing.svg()

@@ -1,8 +1,10 @@
 # A chair that is moved
 #
-# A chair stands in a cell and is hit at every look. Then somebody takes it away, and
-# every look passes through the cell in two half-cell steps. How long does the map go on
-# believing in the chair? One line is clamped, the other is not.
+# A chair stands in a cell and is hit at every look.
+# Then somebody takes it away, and every look passes
+# through the cell in two half-cell steps. How long does
+# the map go on believing in the chair? One line is
+# clamped, the other is not.
 
 from bugbot import *
 
@@ -10,12 +12,12 @@ from bugbot import *
 HITS = 60  # looks before the chair is taken away (1 to 150)
 L_MAX = 8  # the clamp (2 to 60)
 L_OCC = 0.85  # added by a hit (0.1 to 2)
-L_FREE = -0.4  # added at each half-cell step of a pass (-2 to -0.1)
-KNOWN = 1  # above this the cell is black, below -KNOWN it is free (0.5 to 5)
+L_FREE = -0.4  # added at each step of a pass (-2 to -0.1)
+KNOWN = 1  # above this it is black (0.5 to 5)
 
 
 def show(name, l, x):
-    """A square for one cell: black, light blue, or bare mat."""
+    """A square for one cell, or none if it is unknown."""
     colour = "black" if l > KNOWN else "#9ecae1"
     draw(name, [] if abs(l) <= KNOWN else [(x, 100)], colour, "squares", 60)
 

@@ -1,7 +1,8 @@
 # One cell and many readings
 #
-# Something stands in this cell. Each reading says "hit" or "passed", and is right more
-# often than wrong. The chart follows two ways to put the readings together.
+# Something stands in this cell. Each reading says "hit"
+# or "passed", and is right more often than wrong. The
+# chart follows two ways to put the readings together.
 
 from bugbot import *
 import math

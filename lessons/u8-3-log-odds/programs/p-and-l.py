@@ -1,7 +1,8 @@
 # Probability and log odds
 #
-# The curve on the mat turns one into the other: p runs from 0 at the left edge to 1 at
-# the right edge, and log odds run upwards, with 0 half way up.
+# The curve on the mat turns one into the other: p runs
+# from 0 at the left edge to 1 at the right edge, and
+# log odds run upwards, with 0 half way up.
 
 from bugbot import *
 import math
@@ -15,7 +16,7 @@ def log_odds(p):
 
 
 def place(p):
-    """The point of the curve for p: 200 cm for the whole of p, 18 cm for each 1 of l."""
+    """The curve's point for p: 18 cm up for each 1 of l."""
     return 200 * p, 100 + 18 * log_odds(p)
 
 

@@ -1,7 +1,8 @@
 # The same wall, many times
 #
-# The robot stands still, 110 cm from a wall, and looks straight ahead again and
-# again. The wall does not move. The readings do.
+# The robot stands still, 110 cm from a wall, and looks
+# straight ahead again and again. The wall does not
+# move. The readings do.
 
 from bugbot import *
 import math
@@ -21,7 +22,7 @@ for look in range(LOOKS):
     row = math.floor(end / CELL)
     count[row] = count.get(row, 0) + 1
     lowest, highest = min(lowest, reading), max(highest, reading)
-    dots.append((START[0] + look % 20 - 10, end))  # side by side, to see them all
+    dots.append((START[0] + look % 20 - 10, end))
     plot("reading", reading)
     draw("where readings ended", dots, "red", "dots", 1)
     wait(0.1)

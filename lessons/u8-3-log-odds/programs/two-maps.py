@@ -1,7 +1,8 @@
 # Two maps added
 #
-# The robot maps from one spot, drives on, and maps from another into a second, empty
-# grid. Log odds add, so the two grids become one map with a single +.
+# The robot maps from one spot, drives on, and maps from
+# another into a second, empty grid. Log odds add, so
+# the two grids become one map with a single +.
 
 from bugbot import *
 import math
@@ -9,16 +10,16 @@ import numpy as np
 
 # Numbers to change
 L_OCC = 0.85  # added to the cell a beam ended in (0 to 2)
-L_FREE = -0.4  # added at each half-cell step a beam passed (-1 to 0)
+L_FREE = -0.4  # added at each step of a pass (-1 to 0)
 L_MAX = 8  # the clamp (1 to 20)
-KNOWN = 1  # log odds beyond this, either way, count as known (0.5 to 5)
+KNOWN = 1  # beyond this, either way, a cell is known (0.5 to 5)
 DRIVE = 55  # how far apart the two spots are [cm] (0 to 80)
 
 START, CELL, ACROSS, FAR = (100, 100), 5, 40, 170
 
 
 def map_here():
-    """A grid of what one turn on the spot sees; row 0 is at the bottom."""
+    """A grid of what one turn on the spot sees."""
     grid = np.zeros((ACROSS, ACROSS))
     x, y = START[0] + position()[0], START[1] + position()[1]
     right(40)
@@ -41,11 +42,11 @@ def add(grid, xs, ys, evidence):
     columns = np.floor(xs / CELL).astype(int)
     rows = np.floor(ys / CELL).astype(int)
     on_mat = (columns >= 0) & (columns < ACROSS) & (rows >= 0) & (rows < ACROSS)
-    np.add.at(grid, (rows[on_mat], columns[on_mat]), evidence)  # counts repeats too
+    np.add.at(grid, (rows[on_mat], columns[on_mat]), evidence)
 
 
 def middles(cells):
-    """The middles of the cells that are True, in cm on the mat."""
+    """Where the cells are that are True, in cm."""
     rows, columns = np.nonzero(cells)
     return np.column_stack((columns + 0.5, rows + 0.5)) * CELL
 

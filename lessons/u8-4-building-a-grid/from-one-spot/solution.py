@@ -1,21 +1,22 @@
 # A map from one spot
 #
-# The robot turns on the spot in a corner of the mat. Write the whole mapper. Most of
-# it you have written already: bring it here from the tasks before.
+# The robot turns on the spot in a corner of the mat.
+# Write the whole mapper. Most of it you have written
+# already: bring it here from the tasks before.
 
 from bugbot import *
 import math
 
-L_OCC = 0.85  # the evidence of a hit
-L_FREE = -0.4  # the evidence of each half-cell step of a pass
+L_OCC = 0.85  # evidence of a hit
+L_FREE = -0.4  # evidence of each step of a pass
 L_MAX = 8  # the clamp
-KNOWN = 1  # log odds beyond this, either way, count as known
+KNOWN = 1  # beyond this, either way, a cell is known
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row
-FAR = 170  # no wall is marked from a reading this long or longer [cm]
-START = (45, 30)  # where the robot starts on the mat; position() counts from there
-log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom
+FAR = 170  # a reading this long or longer is no wall [cm]
+START = (45, 30)  # where it starts; position() counts from there
+log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 
 
 def centre(cell):
@@ -42,14 +43,14 @@ def add_beam(x, y, angle, reading):
 
 
 def look():
-    """Take one scan, and add its beams to the map from where the robot is now."""
+    """Add one scan to the map, from where the robot is now."""
     x, y = START[0] + position()[0], START[1] + position()[1]
     for angle, reading in scan():
         add_beam(x, y, heading() + angle, reading)
 
 
 def show():
-    """Draw the map in two layers, and plot how much of the mat is known."""
+    """Draw the map, and plot how much of it is known."""
     cells = range(len(log_odds))
     free = [centre(cell) for cell in cells if log_odds[cell] < -KNOWN]
     occupied = [centre(cell) for cell in cells if log_odds[cell] > KNOWN]

@@ -1,13 +1,14 @@
 # Where it is on the mat
 #
-# The robot drives round a bend and looks as it goes. Draw its trail, and a dot where
-# each beam ended. If the pose is right, the dots lie on the walls.
+# The robot drives round a bend and looks as it goes.
+# Draw its trail, and a dot where each beam ended. If
+# the pose is right, the dots lie on the walls.
 
 from bugbot import *
 import math
 
 FAR = 170  # a reading this long or longer found no wall [cm]
-START = (40, 40)  # where the robot starts on the mat; position() counts from there
+START = (40, 40)  # where it starts; position() counts from there
 
 trail = []  # where the robot has been, in cm on the mat
 walls = []  # where beams ended, in cm on the mat
@@ -15,13 +16,13 @@ walls = []  # where beams ended, in cm on the mat
 
 # ---- your part ----
 def pose():
-    """Where the robot is now: x and y in cm on the mat, and which way it faces."""
+    """Now: x and y on the mat in cm, and the heading."""
     x, y = position()
     return START[0] + x, START[1] + y, heading()
 
 
 def look():
-    """Add the robot's place to `trail`, and to `walls` the end of each beam that hit."""
+    """Add to `trail` where it is, to `walls` where beams ended."""
     x, y, facing = pose()
     trail.append((x, y))
     for angle, reading in scan():

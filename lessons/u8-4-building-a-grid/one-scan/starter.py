@@ -1,22 +1,23 @@
 # One scan into the grid
 #
-# The robot faces half right and looks once. A scan is a list of eight pairs: an angle
-# from straight ahead, and a reading. Add all eight beams to the grid.
+# The robot faces half right and looks once. A scan is a
+# list of eight pairs: an angle from straight ahead, and
+# a reading. Add all eight beams to the grid.
 
 from bugbot import *
 import math
 
-L_OCC = 0.85  # the evidence of a hit
-L_FREE = -0.4  # the evidence of each half-cell step of a pass
+L_OCC = 0.85  # evidence of a hit
+L_FREE = -0.4  # evidence of each step of a pass
 L_MAX = 8  # the clamp
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row
-FAR = 170  # no wall is marked from a reading this long or longer [cm]
+FAR = 170  # a reading this long or longer is no wall [cm]
 
 
 def add_beam(log_odds, x, y, angle, reading):
-    """Add one beam from (x, y), at an angle clockwise from up the mat, to the flat list."""
+    """Add what one beam from (x, y) says to the flat list."""
     dx = math.sin(math.radians(angle))
     dy = math.cos(math.radians(angle))
     step = CELL / 2
@@ -32,11 +33,16 @@ def add_beam(log_odds, x, y, angle, reading):
             log_odds[cell] = max(-L_MAX, min(L_MAX, log_odds[cell] + weight))
 
 
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
+
+
 # ---- your part ----
 def add_scan(log_odds, x, y, facing, readings):
-    """Add a whole scan, taken at (x, y) with the robot facing `facing`, to the flat list.
+    """Add a whole scan, taken at (x, y), to the flat list.
 
-    readings: a list of pairs (angle from straight ahead, distance), as scan() gives it
+    readings: pairs (angle from straight ahead, distance)
     The list itself is changed; nothing is returned.
     """
 
@@ -48,9 +54,8 @@ turn(45)
 for look in range(10):
     add_scan(log_odds, 100, 100, heading(), scan())
     cells = range(len(log_odds))
-    middle = [((cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL) for cell in cells]
-    free = [middle[cell] for cell in cells if log_odds[cell] < -1]
-    hit = [middle[cell] for cell in cells if log_odds[cell] > 1]
+    free = [centre(cell) for cell in cells if log_odds[cell] < -1]
+    hit = [centre(cell) for cell in cells if log_odds[cell] > 1]
     draw("free", free, "#9ecae1", "squares", CELL)
     draw("occupied", hit, "black", "squares", CELL)
     plot("free cells", len(free))

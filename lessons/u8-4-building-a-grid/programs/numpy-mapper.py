@@ -1,24 +1,25 @@
 # The whole mapper with NumPy
 #
-# The map is a table with 40 rows and 40 columns, and a scan is added to it all at once:
-# the steps of its eight beams are a table too, a row for each beam.
+# The map is a table with 40 rows and 40 columns, and a
+# scan is added to it all at once: the steps of its
+# eight beams are a table too, a row for each beam.
 
 from bugbot import *
 import numpy as np
 
 # Numbers to change
-L_OCC = 0.85  # the evidence of a hit (0 to 2)
-L_FREE = -0.4  # the evidence of each half-cell step of a pass (-1 to 0)
+L_OCC = 0.85  # evidence of a hit (0 to 2)
+L_FREE = -0.4  # evidence of each step of a pass (-1 to 0)
 L_MAX = 8  # the clamp (1 to 20)
-KNOWN = 1  # log odds beyond this, either way, count as known (0.1 to 5)
+KNOWN = 1  # beyond this, either way, a cell is known (0.1 to 5)
 
 CELL, ACROSS, FAR, START = 5, 40, 170, (72, 100)
-log_odds = np.zeros((ACROSS, ACROSS))  # log_odds[row, column], row 0 at the bottom
-ALONG = np.arange(0, FAR, CELL / 2)  # the half-cell steps of the longest beam
+log_odds = np.zeros((ACROSS, ACROSS))  # [row, column]
+ALONG = np.arange(0, FAR, CELL / 2)  # half-cell steps
 
 
 def add(xs, ys, evidence):
-    """Add evidence to the cells of many points; a cell that comes twice gets it twice."""
+    """Add evidence to the cells of many points at once."""
     columns = np.floor(xs / CELL).astype(int)
     rows = np.floor(ys / CELL).astype(int)
     on_mat = (columns >= 0) & (columns < ACROSS) & (rows >= 0) & (rows < ACROSS)
@@ -32,7 +33,7 @@ def look():
     angles, readings = np.array(scan()).T
     way = np.radians(heading() + angles)
     steps = np.floor(np.where(readings < FAR, readings - CELL, FAR) / (CELL / 2))
-    passed = np.arange(len(ALONG)) < steps[:, None]  # eight rows: which steps were clear
+    passed = np.arange(len(ALONG)) < steps[:, None]  # eight rows
     dx, dy = np.sin(way)[:, None], np.cos(way)[:, None]
     add((x + ALONG * dx)[passed], (y + ALONG * dy)[passed], L_FREE)
     hit = readings < FAR
@@ -40,7 +41,7 @@ def look():
 
 
 def middles(cells):
-    """The middles of the cells that are True, in cm on the mat."""
+    """Where the cells are that are True, in cm."""
     rows, columns = np.nonzero(cells)
     return np.column_stack((columns + 0.5, rows + 0.5)) * CELL
 

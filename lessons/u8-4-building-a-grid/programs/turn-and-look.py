@@ -1,26 +1,28 @@
 # Turn and look
 #
-# A whole mapper. The robot turns round on the spot. How fast it turns and how often it
-# looks decide how many beams each cell gets.
+# A whole mapper. The robot turns round on the spot. How
+# fast it turns and how often it looks decide how many
+# beams each cell gets.
 
 from bugbot import *
 import math
 
 # Numbers to change
-TURN = 30  # how fast to turn, per cent; 30 is 36 degrees a second (5 to 100)
+TURN = 30  # how fast to turn, per cent (5 to 100)
 LOOKS = 10  # looks a second (1 to 20)
 ROUNDS = 1  # how often to turn right round (1 to 4)
-L_OCC = 0.85  # the evidence of a hit (0 to 2)
-L_FREE = -0.4  # the evidence of each half-cell step of a pass (-1 to 0)
-FAR = 170  # no wall is marked from a reading this long or longer, cm (50 to 300)
-KNOWN = 1  # log odds beyond this, either way, count as known (0.1 to 5)
+L_OCC = 0.85  # evidence of a hit (0 to 2)
+L_FREE = -0.4  # evidence of each step of a pass (-1 to 0)
+FAR = 170  # a reading this long is no wall, cm (50 to 300)
+KNOWN = 1  # beyond this, either way, a cell is known (0.1 to 5)
 
 L_MAX = 8  # the clamp
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row
 START = (45, 30)  # where the robot stands on the mat
 
-# What really stands there, to count the map's mistakes: left, bottom, width, height.
+# What really stands there, to count the map's mistakes:
+# left, bottom, width, height.
 REAL = [(100, 40, 8, 50), (50, 120, 50, 8), (150, 120, 30, 8)]
 log_odds = [0.0] * (ACROSS * ACROSS)
 
@@ -43,7 +45,7 @@ def add_beam(x, y, angle, reading):
 
 
 def gap_to_real(x, y):
-    """How far a point is from the nearest thing really there [cm]."""
+    """Distance to the nearest thing really there [cm]."""
     gap = min(x, 200 - x, y, 200 - y)  # the walls round the mat
     for left, bottom, width, height in REAL:
         dx = max(left - x, 0, x - (left + width))
@@ -52,12 +54,16 @@ def gap_to_real(x, y):
     return gap
 
 
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
+
+
 def show():
-    """Draw the map, and plot how much is known and how much of the black is wrong."""
+    """Draw the map; plot how much is known, how much wrong."""
     cells = range(len(log_odds))
-    middle = [((cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL) for cell in cells]
-    free = [middle[cell] for cell in cells if log_odds[cell] < -KNOWN]
-    occupied = [middle[cell] for cell in cells if log_odds[cell] > KNOWN]
+    free = [centre(cell) for cell in cells if log_odds[cell] < -KNOWN]
+    occupied = [centre(cell) for cell in cells if log_odds[cell] > KNOWN]
     wrong = [point for point in occupied if gap_to_real(*point) > CELL]
     draw("free", free, "#9ecae1", "squares", CELL)
     draw("occupied", occupied, "black", "squares", CELL)

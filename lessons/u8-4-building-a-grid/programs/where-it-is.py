@@ -1,7 +1,9 @@
 # Where it is
 #
-# The robot drives round a bend. Its trail is drawn twice: once as position() gives it,
-# and once with the place of the start added. Only one of them is where the robot was.
+# The robot drives round a bend. Its trail is drawn
+# twice: once as position() gives it, and once with the
+# place of the start added. Only one of them is where
+# the robot was.
 
 from bugbot import *
 

@@ -1,19 +1,21 @@
 # earns: a repeated cell counted once: grid[rows, columns]
 # A whole scan at once, with NumPy
 #
-# A beam that crosses a cell names it about twice, and each naming is evidence. Your
-# function gets the names of many cells at once, with repeats.
+# A beam that crosses a cell names it about twice, and
+# each naming is evidence. Your function gets the names
+# of many cells at once, with repeats.
 
 from bugbot import *
 import numpy as np
 
 
 def add_all(grid, rows, columns, evidence, limit):
-    """The grid with evidence added to the cell (row, column) of each pair in the lists.
+    """The grid with evidence added to each (row, column).
 
-    A cell that is named twice gets the evidence twice. Then the whole grid is clamped.
+    A cell that is named twice gets it twice. Then the
+    whole grid is clamped.
     """
-    grid = np.array(grid, dtype=float)  # a copy, so that the caller keeps the old one
+    grid = np.array(grid, dtype=float)  # a copy
     # ---- your part ----
     grid[rows, columns] += evidence
     grid = np.clip(grid, -limit, limit)
@@ -21,7 +23,7 @@ def add_all(grid, rows, columns, evidence, limit):
     return grid
 
 
-# A beam up the mat, in half-cell steps: two in each of the 20 cells it crosses.
+# A beam up the mat: two half-cell steps in each of 20 cells.
 rows = [step // 2 for step in range(40)]
 columns = [20] * 40
 grid = np.zeros((40, 40))

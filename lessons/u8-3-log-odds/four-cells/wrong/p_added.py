@@ -1,21 +1,22 @@
 # earns: p added instead of log odds
 # Four cells
 #
-# The robot drives 50 cm towards a wall. Four cells are watched (the orange dots). Make
-# the chart show the log odds of each of them at every look.
+# The robot drives 50 cm towards a wall. Four cells are
+# watched (the orange dots). Make the chart show the log
+# odds of each of them at every look.
 
 from bugbot import *
 import math
 
-L_OCC = 0.85  # the evidence of a hit
-L_FREE = -0.4  # the evidence of each half-cell step of a pass
+L_OCC = 0.85  # evidence of a hit
+L_FREE = -0.4  # evidence of each step of a pass
 L_MAX = 8  # the clamp
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row
-FAR = 170  # no wall is marked from a reading this long or longer [cm]
-START = (100, 40)  # where the robot stands; position() counts from there
-log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom
+FAR = 170  # a reading this long or longer is no wall [cm]
+START = (100, 40)  # where it starts; position() counts from there
+log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 
 WATCHED = {
     "floor": (102.5, 122.5),
@@ -26,7 +27,7 @@ WATCHED = {
 
 
 def cell_at(x, y):
-    """Number of the cell that holds the point, or None beyond the mat."""
+    """Number of the cell of a point; None beyond the mat."""
     column, row = math.floor(x / CELL), math.floor(y / CELL)
     if 0 <= column < ACROSS and 0 <= row < ACROSS:
         return row * ACROSS + column
@@ -34,12 +35,14 @@ def cell_at(x, y):
 
 
 def passed_and_hit(x, y, angle, reading):
-    """What a beam says: a list of the cells it passed, and the cell it hit or None.
+    """The cells a beam passed, and the cell it hit or None.
 
-    A cell is in the list once for each half-cell step, so most cells are there twice.
+    A passed cell is in the list once for each half-cell
+    step, so most of them are there twice.
     """
-    dx, dy = math.sin(math.radians(angle)), math.cos(math.radians(angle))
-    clear = reading - CELL if reading < FAR else FAR  # stop one cell short of a hit
+    way = math.radians(angle)
+    dx, dy = math.sin(way), math.cos(way)
+    clear = reading - CELL if reading < FAR else FAR
     steps = [i * CELL / 2 for i in range(int(clear / (CELL / 2)))]
     passed = [cell_at(x + along * dx, y + along * dy) for along in steps]
     hit = cell_at(x + reading * dx, y + reading * dy) if reading < FAR else None
@@ -48,12 +51,12 @@ def passed_and_hit(x, y, angle, reading):
 
 # ---- your part ----
 def add(cell, evidence):
-    """Add evidence to log_odds[cell], and keep it between -L_MAX and L_MAX."""
+    """Add evidence to log_odds[cell], and clamp it."""
     log_odds[cell] = max(-L_MAX, min(L_MAX, log_odds[cell] + evidence))
 
 
 def add_beam(x, y, angle, reading):
-    """Add L_FREE for each passed cell in the list, and L_OCC for the cell that was hit."""
+    """Add L_FREE for each passed cell, L_OCC for the hit."""
     passed, hit = passed_and_hit(x, y, angle, reading)
     for cell in passed:
         add(cell, 0.4)
@@ -62,7 +65,7 @@ def add_beam(x, y, angle, reading):
 
 
 def watch():
-    """Add a point to the chart for each watched cell: its name and its log odds."""
+    """Plot the log odds of each watched cell."""
     for name, (x, y) in WATCHED.items():
         plot(name, log_odds[cell_at(x, y)])
 

@@ -1,16 +1,17 @@
 # earns: the probabilities look multiplied
 # Fuse a list of readings
 #
-# Each reading is a probability: how likely this one reading makes it that something
-# stands in the cell. The chart shows what your function makes of the first reading, of
-# the first two, the first three...
+# Each reading is a probability: how likely this one
+# reading makes it that something stands in the cell.
+# The chart shows what your function makes of the first
+# reading, of the first two, the first three...
 
 from bugbot import *
 import math
 
 
 def log_odds(p):
-    """The log odds of a probability p, which is above 0 and below 1."""
+    """The log odds of a probability p between 0 and 1."""
     return math.log(p / (1 - p))
 
 
@@ -21,7 +22,7 @@ def probability(l):
 
 # ---- your part ----
 def fuse(readings):
-    """The probability that the cell is occupied, after all the readings in the list."""
+    """The probability of "occupied" after all the readings."""
     p = 1
     for reading in readings:
         p *= reading
@@ -37,7 +38,7 @@ for n in range(len(READINGS) + 1):
     plot("fused", p)
     if n > 0:
         plot("this reading", READINGS[n - 1])
-    height = 200 * max(0, min(1, p))  # the line on the mat: 0 at the bottom, 1 at the top
+    height = 200 * max(0, min(1, p))  # 1 is the top of the mat
     draw("how likely", [(100, 0), (100, height)], "black", "line", 20)
     print(f"after {n} readings: {p}")
     wait(1)

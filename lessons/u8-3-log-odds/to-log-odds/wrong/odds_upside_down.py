@@ -1,9 +1,11 @@
 # earns: the odds look upside down
 # From p to l and back
 #
-# In this program p climbs from 0.01 to 0.99. The chart shows p, and p turned into log
-# odds and back again. When both functions work, the two lines lie on each other. The
-# curve on the mat shows the log odds of each p.
+# In this program p climbs from 0.01 to 0.99. The chart
+# shows p, and p turned into log odds and back again.
+# When both functions work, the two lines lie on each
+# other. The curve on the mat shows the log odds of each
+# p.
 
 from bugbot import *
 import math
@@ -11,12 +13,12 @@ import math
 
 # ---- your part ----
 def log_odds(p):
-    """The log odds of a probability p, which is above 0 and below 1."""
+    """The log odds of a probability p between 0 and 1."""
     return math.log((1 - p) / p)
 
 
 def probability(l):
-    """The probability, from 0 to 1, that belongs to the log odds l."""
+    """The probability that belongs to the log odds l."""
     return 1 / (1 + math.exp(-l))
 
 

@@ -1,23 +1,25 @@
 # earns: the robot stayed on one arm of the cross
 # A map good enough
 #
-# A cross of floor is clear in every room: along x = 100 and along y = 100, from 25 to
-# 175. Drive where you like on it. Wanted at the end, within 75 seconds: at least 85 %
-# of the mat known, and at most 5 % of the black cells wrong.
+# A cross of floor is clear in every room: along x = 100
+# and along y = 100, from 25 to 175. Drive where you
+# like on it. Wanted at the end, within 75 seconds: at
+# least 85 % of the mat known, and at most 5 % of the
+# black cells wrong.
 
 from bugbot import *
 import math
 
-L_OCC = 0.85  # the evidence of a hit
-L_FREE = -0.4  # the evidence of each half-cell step of a pass
+L_OCC = 0.85  # evidence of a hit
+L_FREE = -0.4  # evidence of each step of a pass
 L_MAX = 8  # the clamp
-KNOWN = 1  # log odds beyond this, either way, count as known
+KNOWN = 1  # beyond this, either way, a cell is known
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row
-FAR = 170  # no wall is marked from a reading this long or longer [cm]
-START = (100, 25)  # where the robot starts on the mat; position() counts from there
-log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom
+FAR = 170  # a reading this long or longer is no wall [cm]
+START = (100, 25)  # where it starts; position() counts from there
+log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 
 
 def add_beam(x, y, angle, reading):
@@ -38,25 +40,29 @@ def add_beam(x, y, angle, reading):
 
 
 def look():
-    """Take one scan, and add its beams to the map from where the robot is now."""
+    """Add one scan to the map, from where the robot is now."""
     x, y = START[0] + position()[0], START[1] + position()[1]
     for angle, reading in scan():
         add_beam(x, y, heading() + angle, reading)
 
 
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
+
+
 def show():
-    """Draw the map in two layers, and plot how much of the mat is known."""
+    """Draw the map, and plot how much of it is known."""
     cells = range(len(log_odds))
-    middle = [((cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL) for cell in cells]
-    free = [middle[cell] for cell in cells if log_odds[cell] < -KNOWN]
-    occupied = [middle[cell] for cell in cells if log_odds[cell] > KNOWN]
+    free = [centre(cell) for cell in cells if log_odds[cell] < -KNOWN]
+    occupied = [centre(cell) for cell in cells if log_odds[cell] > KNOWN]
     draw("free", free, "#9ecae1", "squares", CELL)
     draw("occupied", occupied, "black", "squares", CELL)
     plot("known %", 100 * (len(free) + len(occupied)) / len(log_odds))
 
 
 def keep_mapping(seconds):
-    """Go on with what the robot is doing for some seconds, and map meanwhile."""
+    """Let the robot go on for some seconds, and map."""
     for tick in range(round(seconds * 10)):
         look()
         if tick % 5 == 0:

@@ -1,22 +1,24 @@
 # earns: the fan is the wrong way round
 # A map on the move
 #
-# This mapper works from one spot. Here the robot should drive once round a circle and
-# map as it goes: 12 seconds at drive(100, 0, 25), with a look every tenth of a second.
+# This mapper works from one spot. Here the robot should
+# drive once round a circle and map as it goes: 12
+# seconds at drive(100, 0, 25), with a look every tenth
+# of a second.
 
 from bugbot import *
 import math
 
-L_OCC = 0.85  # the evidence of a hit
-L_FREE = -0.4  # the evidence of each half-cell step of a pass
+L_OCC = 0.85  # evidence of a hit
+L_FREE = -0.4  # evidence of each step of a pass
 L_MAX = 8  # the clamp
-KNOWN = 1  # log odds beyond this, either way, count as known
+KNOWN = 1  # beyond this, either way, a cell is known
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row
-FAR = 170  # no wall is marked from a reading this long or longer [cm]
-START = (72, 100)  # where the robot starts on the mat; position() counts from there
-log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom
+FAR = 170  # a reading this long or longer is no wall [cm]
+START = (72, 100)  # where it starts; position() counts from there
+log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 
 
 def add_beam(x, y, angle, reading):
@@ -36,12 +38,16 @@ def add_beam(x, y, angle, reading):
             log_odds[cell] = max(-L_MAX, min(L_MAX, log_odds[cell] + weight))
 
 
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
+
+
 def show():
-    """Draw the map in two layers, and plot how much of the mat is known."""
+    """Draw the map, and plot how much of it is known."""
     cells = range(len(log_odds))
-    middle = [((cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL) for cell in cells]
-    free = [middle[cell] for cell in cells if log_odds[cell] < -KNOWN]
-    occupied = [middle[cell] for cell in cells if log_odds[cell] > KNOWN]
+    free = [centre(cell) for cell in cells if log_odds[cell] < -KNOWN]
+    occupied = [centre(cell) for cell in cells if log_odds[cell] > KNOWN]
     draw("free", free, "#9ecae1", "squares", CELL)
     draw("occupied", occupied, "black", "squares", CELL)
     plot("known %", 100 * (len(free) + len(occupied)) / len(log_odds))
@@ -49,14 +55,14 @@ def show():
 
 # ---- your part ----
 def look():
-    """Take one scan, and add its beams to the map from where the robot is now."""
+    """Add one scan to the map, from where the robot is now."""
     x, y = START[0] + position()[0], START[1] + position()[1]
     for angle, reading in scan():
         add_beam(x, y, heading() - angle, reading)
 
 
 def drive_and_map():
-    """Drive the circle, and look ten times a second on the way."""
+    """Drive the circle, and look ten times a second."""
     drive(100, 0, 25)
     for tick in range(120):  # 12 seconds
         look()

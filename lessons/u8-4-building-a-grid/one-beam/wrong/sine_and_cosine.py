@@ -1,28 +1,36 @@
 # earns: sine and cosine look swapped
 # One beam into the grid
 #
-# The robot stands 110 cm from a wall and looks once. The lines show its eight beams. Your
-# function adds what one beam says to the grid; the squares show the grid.
+# The robot stands 110 cm from a wall and looks once.
+# The lines show its eight beams. Your function adds
+# what one beam says to the grid; the squares show the
+# grid.
 
 from bugbot import *
 import math
 
-L_OCC = 0.85  # the evidence of a hit
-L_FREE = -0.4  # the evidence of each half-cell step of a pass
+L_OCC = 0.85  # evidence of a hit
+L_FREE = -0.4  # evidence of each step of a pass
 L_MAX = 8  # the clamp
 
 CELL = 5  # cm per cell
 ACROSS = 40  # cells in a row
-FAR = 170  # no wall is marked from a reading this long or longer [cm]
+FAR = 170  # a reading this long or longer is no wall [cm]
+
+
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
 
 
 # ---- your part ----
 def add_beam(log_odds, x, y, angle, reading):
-    """Add one beam from (x, y), at an angle clockwise from up the mat, to the flat list.
+    """Add what one beam from (x, y) says to the flat list.
 
-    Floor first: L_FREE at every half-cell step from the robot, up to one cell short of
-    the hit, or up to FAR if there is no hit. Then L_OCC in the cell where the beam ended.
-    The list itself is changed; nothing is returned.
+    Floor first: L_FREE at every half-cell step, up to one
+    cell short of the hit, or up to FAR if there is no hit.
+    Then L_OCC in the cell where the beam ended. The list
+    itself is changed; nothing is returned.
     """
     dx = math.cos(math.radians(angle))
     dy = math.sin(math.radians(angle))
@@ -41,7 +49,7 @@ def add_beam(log_odds, x, y, angle, reading):
 
 # ---- end of your part ----
 
-log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom
+log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 lines = []
 for angle, reading in scan():
     way = math.radians(angle)
@@ -49,9 +57,8 @@ for angle, reading in scan():
     draw("beams", lines, "orange", "line", 0.5)
     add_beam(log_odds, 100, 40, angle, reading)
     cells = range(len(log_odds))
-    middle = [((cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL) for cell in cells]
-    free = [middle[cell] for cell in cells if log_odds[cell] < 0]
-    hit = [middle[cell] for cell in cells if log_odds[cell] > 0]
+    free = [centre(cell) for cell in cells if log_odds[cell] < 0]
+    hit = [centre(cell) for cell in cells if log_odds[cell] > 0]
     draw("free", free, "#9ecae1", "squares", CELL)
     draw("occupied", hit, "black", "squares", CELL)
     wait(0.5)
