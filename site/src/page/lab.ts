@@ -24,6 +24,7 @@ import { pickerWords, statusWords } from "../ui/strings.ts";
 import { FIRST_SEED } from "./address.ts";
 import { applyCodeSize, changeCodeSize } from "./code-size.ts";
 import { emptyTrace } from "./empty-trace.ts";
+import { inTurn, takeTurn } from "./in-turn.ts";
 import { labFace } from "./lab-face.ts";
 import { LabFiles } from "./lab-files.ts";
 import { LabPlace } from "./lab-place.ts";
@@ -101,9 +102,22 @@ export class BugbotLab extends LitElement {
 
   /** In the page itself, not in a shadow: one style sheet, and ids that can be referred to. */
   override createRenderRoot(): HTMLElement {
-    // What a page has here for readers without scripts has served.
-    this.replaceChildren();
     return this;
+  }
+
+  override async scheduleUpdate(): Promise<void> {
+    if (!this.hasUpdated) {
+      await inTurn(this);
+      // What a page has here for readers without scripts has served.
+      this.replaceChildren();
+    }
+    super.scheduleUpdate();
+  }
+
+  /** Who waits for the lab does not wait for its turn. */
+  override getUpdateComplete(): Promise<boolean> {
+    takeTurn(this);
+    return super.getUpdateComplete();
   }
 
   // -- what a page or a person can ask of a lab --------------------------------

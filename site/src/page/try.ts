@@ -15,8 +15,9 @@ export function startTries(root: ParentNode): void {
     const lab = root.querySelector(`#lab-${program}`);
     if (!(lab instanceof BugbotLab)) throw new Error(`there is no lab "lab-${program}" to try on`);
     const values: Values = JSON.parse(constants ?? "{}");
-    button.addEventListener("click", () => {
+    button.addEventListener("click", async () => {
       void lab.try(values);
+      await lab.updateComplete;
       if (inSight(lab)) return;
       const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
       lab.scrollIntoView({ block: "start", behavior: still ? "auto" : "smooth" });

@@ -5,7 +5,7 @@
  */
 
 /** A lab this far below the screen will be on it soon. */
-const NEAR = "600px";
+export const NEAR = "600px";
 
 /** What browsers with a data saver tell; others tell nothing. */
 interface Connection {
@@ -54,7 +54,8 @@ export function whenNear(labs: readonly Element[], start: () => void): void {
   whenIdle(once);
 }
 
-function whenIdle(callback: () => void): void {
+/** Once the page has loaded and has nothing else to do. */
+export function whenIdle(callback: () => void): void {
   const ask = (): void => {
     // Safari has no requestIdleCallback; a while after loading is near enough.
     if ("requestIdleCallback" in window) requestIdleCallback(callback);
