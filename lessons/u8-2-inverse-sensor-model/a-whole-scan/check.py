@@ -96,8 +96,8 @@ def compare(task, world):
         task.expect(
             # A cell or two may go either way where a beam ends on the line between two.
             len(wrong) <= 3,
-            expected=f"the {len(right)} cells that the readings of this run say are {name}",
-            got=f"{len(right - cells)} of them not drawn, {len(cells - right)} others drawn",
+            expected=f"{len(right)} cells {name}, as the readings of this run say",
+            got=f"{len(right - cells)} of these not drawn, {len(cells - right)} others drawn",
             run=run,
             cells=[GRID.cell(index) for index in wrong],
             cell_cm=5,

@@ -15,6 +15,19 @@ free = set()  # every cell that any beam passed
 hits = set()  # every cell where any beam ended
 
 
+def look():
+    """Add what the robot sees from here."""
+    # ---- your part ----
+    # At present: one reading, from the start.
+    x, y = START
+    passed, hit = beam_says(x, y, heading(), distance())
+    free.update(passed)
+    if hit is not None:
+        hits.add(hit)
+    # ---- end of your part ----
+
+
+# beam_says is for you to use; the rest is done.
 def cell_at(x, y, angle, length):
     """The cell so far along a beam, or None."""
     direction = math.radians(angle)
@@ -31,18 +44,6 @@ def beam_says(x, y, angle, reading):
     passed = {cell_at(x, y, angle, i * CELL / 2) for i in range(int(clear / (CELL / 2)))}
     hit = cell_at(x, y, angle, reading) if reading < FAR else None
     return passed - {None}, hit
-
-
-def look():
-    """Add what the robot sees from here."""
-    # ---- your part ----
-    # At present: one reading, from the start.
-    x, y = START
-    passed, hit = beam_says(x, y, heading(), distance())
-    free.update(passed)
-    if hit is not None:
-        hits.add(hit)
-    # ---- end of your part ----
 
 
 def show():

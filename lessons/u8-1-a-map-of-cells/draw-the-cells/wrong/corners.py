@@ -15,15 +15,6 @@ START = (100, 100)  # position() counts from here
 visited = [False] * (ACROSS * ACROSS)  # row after row, from the bottom
 
 
-def index_of(x, y):
-    """A point's place in the list, or None."""
-    column = math.floor(x / CELL)
-    row = math.floor(y / CELL)
-    if 0 <= column < ACROSS and 0 <= row < ACROSS:
-        return row * ACROSS + column
-    return None
-
-
 def mark():
     """Note the cell the robot is in now."""
     x, y = position()
@@ -41,6 +32,16 @@ def show():
             row = index // ACROSS
             middles.append((column * CELL, row * CELL))
     draw("visited", middles, "#9ecae1", "squares", CELL)
+
+
+# This one is for you to use.
+def index_of(x, y):
+    """A point's place in the list, or None."""
+    column = math.floor(x / CELL)
+    row = math.floor(y / CELL)
+    if 0 <= column < ACROSS and 0 <= row < ACROSS:
+        return row * ACROSS + column
+    return None
 
 
 drive(70, 0, 15)  # forward, turning a little to the right

@@ -13,6 +13,18 @@ FAR = 170  # from here on no wall, in cm
 START = (30, 30)  # where the robot starts on the mat
 
 
+def beam_says(x, y, angle, reading):
+    """The free cells, and the hit or None."""
+    if reading < FAR:
+        free = cells_along(x, y, angle, reading - CELL)
+        hit = cell_of(*end_of_beam(x, y, angle, reading))
+    else:
+        free = []
+        hit = None
+    return free, hit
+
+
+# These three are for you to use.
 def end_of_beam(x, y, angle, length):
     """The point so many cm along a beam."""
     direction = math.radians(angle)
@@ -32,17 +44,6 @@ def cells_along(x, y, angle, length):
     """The cells at half-cell steps along a beam."""
     steps = [end_of_beam(x, y, angle, i * CELL / 2) for i in range(int(length / (CELL / 2)))]
     return [cell_of(*point) for point in steps if cell_of(*point) is not None]
-
-
-def beam_says(x, y, angle, reading):
-    """The free cells, and the hit or None."""
-    if reading < FAR:
-        free = cells_along(x, y, angle, reading - CELL)
-        hit = cell_of(*end_of_beam(x, y, angle, reading))
-    else:
-        free = []
-        hit = None
-    return free, hit
 
 
 # From here on the program only shows what beam_says does.

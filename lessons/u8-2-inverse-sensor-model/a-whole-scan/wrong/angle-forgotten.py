@@ -16,6 +16,18 @@ free = set()  # every cell that any beam passed
 hits = set()  # every cell where any beam ended
 
 
+def look():
+    """Add what the robot sees from here."""
+    x = START[0] + position()[0]
+    y = START[1] + position()[1]
+    for angle, reading in scan():
+        passed, hit = beam_says(x, y, heading(), reading)
+        free.update(passed)
+        if hit is not None:
+            hits.add(hit)
+
+
+# beam_says is for you to use; the rest is done.
 def cell_at(x, y, angle, length):
     """The cell so far along a beam, or None."""
     direction = math.radians(angle)
@@ -32,17 +44,6 @@ def beam_says(x, y, angle, reading):
     passed = {cell_at(x, y, angle, i * CELL / 2) for i in range(int(clear / (CELL / 2)))}
     hit = cell_at(x, y, angle, reading) if reading < FAR else None
     return passed - {None}, hit
-
-
-def look():
-    """Add what the robot sees from here."""
-    x = START[0] + position()[0]
-    y = START[1] + position()[1]
-    for angle, reading in scan():
-        passed, hit = beam_says(x, y, heading(), reading)
-        free.update(passed)
-        if hit is not None:
-            hits.add(hit)
 
 
 def show():

@@ -12,6 +12,20 @@ ACROSS = 40  # cells in a row, and in a column
 START = (100, 40)  # where the robot starts on the mat
 
 
+def cells_passed(x, y, angle, reading):
+    """The list of cells that a beam passed."""
+    cells = []
+    along = 0
+    while along < reading - CELL:
+        direction = math.radians(angle)
+        cell = cell_of(x + along * math.cos(direction), y + along * math.sin(direction))
+        if cell is not None:
+            cells.append(cell)
+        along += CELL / 2
+    return cells
+
+
+# These two are for you to use.
 def end_of_beam(x, y, angle, length):
     """The point so many cm along a beam."""
     direction = math.radians(angle)
@@ -25,19 +39,6 @@ def cell_of(x, y):
     if 0 <= column < ACROSS and 0 <= row < ACROSS:
         return column, row
     return None
-
-
-def cells_passed(x, y, angle, reading):
-    """The list of cells that a beam passed."""
-    cells = []
-    along = 0
-    while along < reading - CELL:
-        direction = math.radians(angle)
-        cell = cell_of(x + along * math.cos(direction), y + along * math.sin(direction))
-        if cell is not None:
-            cells.append(cell)
-        along += CELL / 2
-    return cells
 
 
 # From here on the program only shows what cells_passed does.
