@@ -245,12 +245,11 @@ def test_the_articles_table_of_systems_is_right():
     for system, hit, miss, limits, hits, passes in rows_after("### The numbers of real systems"):
         added = [typed(cell.split()[0]) for cell in (hit, miss)]
         for cell, value in zip((hit, miss), added, strict=True):
-            if "p = " in cell:
-                p = float(cell.split("p = ")[1].rstrip(")"))
-                assert log_odds(p) == pytest.approx(value, abs=0.0006), system
+            (p,) = re.findall(r"\((.+)\)", cell)
+            assert log_odds(float(p)) == pytest.approx(value, abs=0.006), system
         top = typed(re.findall(r"[\d.]+", limits)[-1])
         assert int(hits) == math.ceil(top / added[0] - 1e-9), system
-        most = int(hits) * added[0] if "added" in limits else top
+        most = int(hits) * added[0] if "stop" in limits else top
         assert int(passes) == math.ceil(most / -added[1] - 1e-9), system
 
 

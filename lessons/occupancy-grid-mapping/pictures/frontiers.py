@@ -26,7 +26,7 @@ def picture() -> str:
     goal = choose_goal(grid, states, ROBOT)
     drawing = Drawing(
         340,
-        196,
+        187,
         "Frontier cells and regions",
         "A small map with walls round it. Where light blue floor meets unknown cells, the floor "
         f"cells are yellow with a dot: the frontier. One region has {len(large)} cells; the "
