@@ -11,10 +11,13 @@ import { ROOT } from "../files.mjs";
 export class LessonFaults extends Error {
   /** @param {readonly Fault[]} faults */
   constructor(faults) {
+    const inOrder = [...faults].sort(
+      (a, b) => a.file.localeCompare(b.file) || (a.line ?? 0) - (b.line ?? 0),
+    );
     const count = faults.length === 1 ? "1 fault" : `${faults.length} faults`;
-    super(`${count} in the lessons:\n\n${faults.map(faultText).join("\n\n")}`);
+    super(`${count} in the lessons:\n\n${inOrder.map(faultText).join("\n\n")}`);
     this.name = "LessonFaults";
-    this.faults = faults;
+    this.faults = inOrder;
     // Where in the build they were found is of no use to who wrote the lesson.
     this.stack = this.message;
   }
