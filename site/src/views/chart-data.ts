@@ -10,6 +10,11 @@ export const MOST_LINES = 12;
 /** Points of a median or a band: more than the chart has pixels would be for nothing. */
 const SPREAD_POINTS = 600;
 
+/** One pattern a line, besides its colour: solid, dashed, dotted, … */
+const DASHES: readonly (readonly number[])[] = [[], [7, 4], [2, 3], [10, 3, 2, 3], [14, 4], [5, 2]];
+
+export const dashOf = (index: number): readonly number[] => DASHES[index % DASHES.length] ?? [];
+
 /** What a line is of: this run, the run before, or many runs. */
 export type Role = "run" | "earlier" | "median" | "low" | "high";
 

@@ -4,7 +4,7 @@
  */
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { joined, type Line, type Role, short } from "./chart-data.ts";
+import { dashOf, joined, type Line, type Role, short } from "./chart-data.ts";
 import { tokenColours } from "./tokens.ts";
 
 const TOKENS = {
@@ -17,11 +17,6 @@ const TOKENS = {
   e: "--chart-5",
   f: "--chart-6",
 } as const;
-
-/** One pattern a line, besides its colour: solid, dashed, dotted, … */
-const DASHES: readonly (readonly number[])[] = [[], [7, 4], [2, 3], [10, 3, 2, 3], [14, 4], [5, 2]];
-
-export const dashOf = (index: number): readonly number[] => DASHES[index % DASHES.length] ?? [];
 
 const WIDTHS: Record<Role, number> = { run: 2.25, earlier: 1, median: 1.5, low: 0, high: 0 };
 const ALPHAS: Record<Role, number> = { run: 1, earlier: 0.6, median: 0.9, low: 1, high: 1 };

@@ -12,6 +12,7 @@ import type { Trace } from "../trace/trace.ts";
 import { chartWords as words } from "../ui/view-words.ts";
 import {
   csvOf,
+  dashOf,
   joined,
   type Line,
   linesOf,
@@ -21,13 +22,15 @@ import {
   valueAt,
 } from "./chart-data.ts";
 import "./chart.css";
-import { dashOf, makePlot } from "./chart-plot.ts";
 import { onThemeChange } from "./theme-change.ts";
 
 /** Rows of the table: enough to follow a line, few enough to be read out. */
 const TABLE_ROWS = 60;
 
 let views = 0;
+
+/** The part that draws: a tenth of all script, so it comes when there is something to draw. */
+let drawing: typeof import("./chart-plot.ts") | null = null;
 
 export class ChartView extends LitElement {
   static override properties = {
@@ -149,8 +152,12 @@ export class ChartView extends LitElement {
   #make(lines: readonly Line[]): void {
     this.#drop();
     const frame = this.#frame;
-    if (frame.clientWidth === 0) return;
-    this.#plot = makePlot(frame, lines, shownNames(this.player.trace, this.runs), {
+    if (frame.clientWidth === 0 || lines.length === 0) return;
+    if (!drawing) {
+      void this.#fetchDrawing();
+      return;
+    }
+    this.#plot = drawing.makePlot(frame, lines, shownNames(this.player.trace, this.runs), {
       lastTime: () =>
         [this.player.trace, this.earlier, ...this.runs].reduce(
           (last, run) => Math.max(last, run?.duration ?? 0),
@@ -160,6 +167,11 @@ export class ChartView extends LitElement {
     });
     // A new plot has no scales yet: it sets them in a microtask of its own, before this one.
     queueMicrotask(() => this.#placeCursor());
+  }
+
+  async #fetchDrawing(): Promise<void> {
+    drawing = await import("./chart-plot.ts");
+    this.requestUpdate();
   }
 
   #drop(): void {
