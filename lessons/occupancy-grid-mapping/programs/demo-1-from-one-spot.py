@@ -1,7 +1,8 @@
 # Demo 1: a map from one spot
 #
-# The robot turns on the spot. Ten times a second it looks with its depth
-# sensor and adds what it saw to a grid: one number, the log odds, per cell.
+# The robot turns on the spot. Ten times a second it
+# looks with its depth sensor and adds what it saw to a
+# grid: one number, the log odds, per cell.
 
 from bugbot import *
 import math

@@ -1,8 +1,9 @@
 # Demo 2: adding up the evidence
 #
-# The robot drives 50 cm towards a wall. The chart follows the log odds of four
-# cells, all in one column: the floor ahead, the cell in front of the wall, the
-# wall itself, and a cell behind it.
+# The robot drives 50 cm towards a wall. The chart
+# follows the log odds of four cells in one column: the
+# floor ahead, the cell in front of the wall, the wall
+# itself, and a cell behind it.
 
 from bugbot import *
 import math

@@ -1,7 +1,8 @@
 # Demo 3: a wrong pose makes a wrong map
 #
-# Demo 1 again, but the robot believes a heading that drifts away from the true
-# one. Every reading is right, and is drawn in the wrong direction.
+# Demo 1 again, but the heading that the robot believes
+# drifts away from the true one. Every reading is as good
+# as before, and is drawn in the wrong direction.
 
 from bugbot import *
 import math

@@ -1,7 +1,7 @@
 # Demo 4: binary maps and frontiers
 #
-# The robot maps what it can see, sorts the cells into free, occupied and
-# unknown, and drives to the nearest place where free floor meets the unknown.
+# The robot maps what it sees, then drives to where free
+# floor meets the unknown, and maps on from there.
 
 from bugbot import *
 import math
