@@ -25,6 +25,26 @@ WATCHED = {
 }
 
 
+# ---- your part ----
+def add(cell, evidence):
+    """Add evidence to log_odds[cell], and clamp it."""
+
+
+def add_beam(x, y, angle, reading):
+    """Add L_FREE for each passed cell, L_OCC for the hit."""
+    passed, hit = passed_and_hit(x, y, angle, reading)
+
+
+def watch():
+    """Plot the log odds of each watched cell."""
+    for name, (x, y) in WATCHED.items():
+        plot(name, 0)
+
+
+# ---- end of your part ----
+
+
+# passed_and_hit and cell_at are for you to use.
 def cell_at(x, y):
     """Number of the cell of a point; None beyond the mat."""
     column, row = math.floor(x / CELL), math.floor(y / CELL)
@@ -47,24 +67,6 @@ def passed_and_hit(x, y, angle, reading):
     hit = cell_at(x + reading * dx, y + reading * dy) if reading < FAR else None
     return [cell for cell in passed if cell is not None], hit
 
-
-# ---- your part ----
-def add(cell, evidence):
-    """Add evidence to log_odds[cell], and clamp it."""
-
-
-def add_beam(x, y, angle, reading):
-    """Add L_FREE for each passed cell, L_OCC for the hit."""
-    passed, hit = passed_and_hit(x, y, angle, reading)
-
-
-def watch():
-    """Plot the log odds of each watched cell."""
-    for name, (x, y) in WATCHED.items():
-        plot(name, 0)
-
-
-# ---- end of your part ----
 
 draw("watched", list(WATCHED.values()), "orange", "dots", 3)
 forward(50)

@@ -19,11 +19,6 @@ START = (45, 30)  # where it starts; position() counts from there
 log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 
 
-def centre(cell):
-    """The middle of a cell in cm on the mat."""
-    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
-
-
 # ---- your part ----
 def add_beam(x, y, angle, reading):
     """Add what one beam says to log_odds."""
@@ -60,6 +55,13 @@ def show():
 
 
 # ---- end of your part ----
+
+
+# centre is for you to use.
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
+
 
 right(30)  # 36 degrees a second
 for tick in range(130):  # 13 seconds

@@ -21,6 +21,32 @@ START = (100, 25)  # where it starts; position() counts from there
 log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 
 
+# ---- your part ----
+def look_round():
+    """Turn once on the spot, and map meanwhile."""
+    right(60)
+    keep_mapping(5)
+
+
+def drive_to(x, y):
+    """Face a point of the mat, and drive straight there; map on the way."""
+    dx, dy = x - START[0] - position()[0], y - START[1] - position()[1]
+    turn((math.degrees(math.atan2(dx, dy)) - heading() + 180) % 360 - 180, speed=100)
+    forward(100)
+    keep_mapping(math.hypot(dx, dy) / 11.5)  # 100 per cent is 11.5 cm/s
+
+
+def explore():
+    """The whole route."""
+    for x, y in [(100, 100), (30, 100), (170, 100), (100, 100), (100, 170)]:
+        drive_to(x, y)
+        look_round()
+
+
+# ---- end of your part ----
+
+
+# keep_mapping and the rest are for you to use.
 def add_beam(x, y, angle, reading):
     """Add what one beam says to log_odds."""
     dx = math.sin(math.radians(angle))
@@ -71,22 +97,4 @@ def keep_mapping(seconds):
     show()
 
 
-# ---- your part ----
-def look_round():
-    """Turn once on the spot, and map meanwhile."""
-    right(60)
-    keep_mapping(5)
-
-
-def drive_to(x, y):
-    """Face a point of the mat, and drive straight there; map on the way."""
-    dx, dy = x - START[0] - position()[0], y - START[1] - position()[1]
-    turn((math.degrees(math.atan2(dx, dy)) - heading() + 180) % 360 - 180, speed=100)
-    forward(100)
-    keep_mapping(math.hypot(dx, dy) / 11.5)  # 100 per cent is 11.5 cm/s
-
-
-for x, y in [(100, 100), (30, 100), (170, 100), (100, 100), (100, 170)]:
-    drive_to(x, y)
-    look_round()
-# ---- end of your part ----
+explore()

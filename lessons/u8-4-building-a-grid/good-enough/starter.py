@@ -21,6 +21,22 @@ START = (100, 25)  # where it starts; position() counts from there
 log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 
 
+# ---- your part ----
+def look_round():
+    """Turn once on the spot, and map meanwhile."""
+    right(30)
+    keep_mapping(10)
+
+
+def explore():
+    """The whole route."""
+    look_round()
+
+
+# ---- end of your part ----
+
+
+# keep_mapping and the rest are for you to use.
 def add_beam(x, y, angle, reading):
     """Add what one beam says to log_odds."""
     dx = math.sin(math.radians(angle))
@@ -71,12 +87,4 @@ def keep_mapping(seconds):
     show()
 
 
-# ---- your part ----
-def look_round():
-    """Turn once on the spot, and map meanwhile."""
-    right(30)
-    keep_mapping(10)
-
-
-look_round()
-# ---- end of your part ----
+explore()

@@ -26,29 +26,6 @@ WATCHED = {
 }
 
 
-def cell_at(x, y):
-    """Number of the cell of a point; None beyond the mat."""
-    column, row = math.floor(x / CELL), math.floor(y / CELL)
-    if 0 <= column < ACROSS and 0 <= row < ACROSS:
-        return row * ACROSS + column
-    return None
-
-
-def passed_and_hit(x, y, angle, reading):
-    """The cells a beam passed, and the cell it hit or None.
-
-    A passed cell is in the list once for each half-cell
-    step, so most of them are there twice.
-    """
-    way = math.radians(angle)
-    dx, dy = math.sin(way), math.cos(way)
-    clear = reading - CELL if reading < FAR else FAR
-    steps = [i * CELL / 2 for i in range(int(clear / (CELL / 2)))]
-    passed = [cell_at(x + along * dx, y + along * dy) for along in steps]
-    hit = cell_at(x + reading * dx, y + reading * dy) if reading < FAR else None
-    return [cell for cell in passed if cell is not None], hit
-
-
 # ---- your part ----
 def add(cell, evidence):
     """Add evidence to log_odds[cell], and clamp it."""
@@ -71,6 +48,31 @@ def watch():
 
 
 # ---- end of your part ----
+
+
+# passed_and_hit and cell_at are for you to use.
+def cell_at(x, y):
+    """Number of the cell of a point; None beyond the mat."""
+    column, row = math.floor(x / CELL), math.floor(y / CELL)
+    if 0 <= column < ACROSS and 0 <= row < ACROSS:
+        return row * ACROSS + column
+    return None
+
+
+def passed_and_hit(x, y, angle, reading):
+    """The cells a beam passed, and the cell it hit or None.
+
+    A passed cell is in the list once for each half-cell
+    step, so most of them are there twice.
+    """
+    way = math.radians(angle)
+    dx, dy = math.sin(way), math.cos(way)
+    clear = reading - CELL if reading < FAR else FAR
+    steps = [i * CELL / 2 for i in range(int(clear / (CELL / 2)))]
+    passed = [cell_at(x + along * dx, y + along * dy) for along in steps]
+    hit = cell_at(x + reading * dx, y + reading * dy) if reading < FAR else None
+    return [cell for cell in passed if cell is not None], hit
+
 
 draw("watched", list(WATCHED.values()), "orange", "dots", 3)
 forward(50)

@@ -10,16 +10,6 @@ from bugbot import *
 import math
 
 
-def log_odds(p):
-    """The log odds of a probability p between 0 and 1."""
-    return math.log(p / (1 - p))
-
-
-def probability(l):
-    """The probability that belongs to the log odds l."""
-    return 1 / (1 + math.exp(-l))
-
-
 # ---- your part ----
 def fuse(readings):
     """The probability of "occupied" after all the readings."""
@@ -31,6 +21,18 @@ def fuse(readings):
 
 
 # ---- end of your part ----
+
+
+# log_odds and probability are for you to use.
+def log_odds(p):
+    """The log odds of a probability p between 0 and 1."""
+    return math.log(p / (1 - p))
+
+
+def probability(l):
+    """The probability that belongs to the log odds l."""
+    return 1 / (1 + math.exp(-l))
+
 
 READINGS = [0.7, 0.7, 0.4, 0.7, 0.4, 0.4, 0.4, 0.7, 0.7, 0.7]
 

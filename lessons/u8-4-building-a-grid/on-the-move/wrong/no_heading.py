@@ -21,6 +21,29 @@ START = (72, 100)  # where it starts; position() counts from there
 log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 
 
+# ---- your part ----
+def look():
+    """Add one scan to the map, from where the robot is now."""
+    x, y = START[0] + position()[0], START[1] + position()[1]
+    for angle, reading in scan():
+        add_beam(x, y, angle, reading)
+
+
+def drive_and_map():
+    """Drive the circle, and look ten times a second."""
+    drive(100, 0, 25)
+    for tick in range(120):  # 12 seconds
+        look()
+        if tick % 5 == 0:
+            show()
+        wait(0.1)
+    stop()
+
+
+# ---- end of your part ----
+
+
+# add_beam and show are for you to use.
 def add_beam(x, y, angle, reading):
     """Add what one beam says to log_odds."""
     dx = math.sin(math.radians(angle))
@@ -52,27 +75,6 @@ def show():
     draw("occupied", occupied, "black", "squares", CELL)
     plot("known %", 100 * (len(free) + len(occupied)) / len(log_odds))
 
-
-# ---- your part ----
-def look():
-    """Add one scan to the map, from where the robot is now."""
-    x, y = START[0] + position()[0], START[1] + position()[1]
-    for angle, reading in scan():
-        add_beam(x, y, angle, reading)
-
-
-def drive_and_map():
-    """Drive the circle, and look ten times a second."""
-    drive(100, 0, 25)
-    for tick in range(120):  # 12 seconds
-        look()
-        if tick % 5 == 0:
-            show()
-        wait(0.1)
-    stop()
-
-
-# ---- end of your part ----
 
 drive_and_map()
 show()

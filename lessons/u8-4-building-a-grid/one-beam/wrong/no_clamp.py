@@ -18,11 +18,6 @@ ACROSS = 40  # cells in a row
 FAR = 170  # a reading this long or longer is no wall [cm]
 
 
-def centre(cell):
-    """The middle of a cell in cm on the mat."""
-    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
-
-
 # ---- your part ----
 def add_beam(log_odds, x, y, angle, reading):
     """Add what one beam from (x, y) says to the flat list.
@@ -48,6 +43,13 @@ def add_beam(log_odds, x, y, angle, reading):
 
 
 # ---- end of your part ----
+
+
+# The rest is done.
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
+
 
 log_odds = [0.0] * (ACROSS * ACROSS)  # rows, from the bottom up
 lines = []

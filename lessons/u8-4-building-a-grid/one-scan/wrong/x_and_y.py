@@ -17,6 +17,21 @@ ACROSS = 40  # cells in a row
 FAR = 170  # a reading this long or longer is no wall [cm]
 
 
+# ---- your part ----
+def add_scan(log_odds, x, y, facing, readings):
+    """Add a whole scan, taken at (x, y), to the flat list.
+
+    readings: pairs (angle from straight ahead, distance)
+    The list itself is changed; nothing is returned.
+    """
+    for angle, reading in readings:
+        add_beam(log_odds, y, x, facing + angle, reading)
+
+
+# ---- end of your part ----
+
+
+# add_beam is for you to use.
 def add_beam(log_odds, x, y, angle, reading):
     """Add what one beam from (x, y) says to the flat list."""
     dx = math.sin(math.radians(angle))
@@ -38,19 +53,6 @@ def centre(cell):
     """The middle of a cell in cm on the mat."""
     return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
 
-
-# ---- your part ----
-def add_scan(log_odds, x, y, facing, readings):
-    """Add a whole scan, taken at (x, y), to the flat list.
-
-    readings: pairs (angle from straight ahead, distance)
-    The list itself is changed; nothing is returned.
-    """
-    for angle, reading in readings:
-        add_beam(log_odds, y, x, facing + angle, reading)
-
-
-# ---- end of your part ----
 
 log_odds = [0.0] * (ACROSS * ACROSS)
 turn(45)
