@@ -52,7 +52,8 @@ export class App {
 
   /** Writes a program over the one in the editor, as pasting does. */
   async write(program: string): Promise<void> {
-    await this.program.click();
+    // Not by a click: in the middle of the editor there may be a slider.
+    await this.program.focus();
     await this.page.keyboard.press("ControlOrMeta+a");
     await this.page.keyboard.insertText(program);
     expect(await this.text()).toBe(program);

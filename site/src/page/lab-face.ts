@@ -51,7 +51,6 @@ export function labFace(face: LabFace): TemplateResult {
     <div class="lab-bar">
       ${label ? html`<h2 class="title">${label}</h2>` : nothing}
       ${pickers(face.pickers)}
-      <lab-menu .groups=${face.menu}></lab-menu>
       ${actions(face)}
     </div>
     ${status(face.status)}
@@ -73,9 +72,10 @@ export function labFace(face: LabFace): TemplateResult {
   </section>`;
 }
 
-function actions({ status: { phase }, onReset, onStop, onRun }: LabFace): TemplateResult {
+function actions({ menu, status: { phase }, onReset, onStop, onRun }: LabFace): TemplateResult {
   const busy = phase === "running" || phase === "waiting";
   return html`<div class="lab-actions">
+    <lab-menu .groups=${menu}></lab-menu>
     <button type="button" aria-label=${labWords.reset} @click=${onReset}>
       <span class="in-full">${labWords.reset}</span>
       <span class="in-short">${labWords.resetShort}</span>

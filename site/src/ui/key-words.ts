@@ -10,8 +10,8 @@ const shift = isMac ? "⇧" : "Shift+";
 export const editorHint = {
   run: `${mod}Enter runs.`,
   /** Of no use where there is no Alt key. */
-  numbers: `${alt}↑ or ${alt}↓ changes the number at the caret.`,
-  leave: "Esc, then Tab, leaves the editor.",
+  numbers: `${alt}↑↓ changes the number at the caret.`,
+  leave: "Esc, then Tab, leaves.",
 };
 
 interface Keys {
