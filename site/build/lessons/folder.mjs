@@ -194,12 +194,20 @@ class Reader {
 function aboutOf(data, slug) {
   return {
     code: data?.code ?? null,
-    title: data?.title ?? slug,
-    summary: data?.summary ?? "",
+    title: curly(data?.title ?? slug),
+    summary: curly(data?.summary ?? ""),
     minutes: data?.minutes ?? null,
     goals: data?.goals ?? [],
     assumes: data?.assumes ?? [],
   };
+}
+
+/**
+ * Apostrophes as in the prose, for words that go where no Markdown does.
+ * @param {string} text
+ */
+function curly(text) {
+  return text.replace(/(?<=\p{L})'/gu, "’");
 }
 
 /**

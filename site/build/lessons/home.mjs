@@ -69,13 +69,11 @@ function courseHtml(lessons) {
       const names = escapeHtml(JSON.stringify([...tasks.keys()]));
       const label = about.code ?? (article ? "Read first" : "");
       return `<li data-lesson="${slug}" data-tasks="${names}">
-<a href="./${pathOf(slug)}">
 <span class="code">${escapeHtml(label)}</span>
-<b>${escapeHtml(about.title)}</b>
+<a href="./${pathOf(slug)}">${escapeHtml(about.title)}</a>
+<span class="done"></span>
 <span class="summary">${escapeHtml(about.summary)}</span>
 <span class="facts">${escapeHtml(facts)}</span>
-<span class="done"></span>
-</a>
 </li>`;
     })
     .join("\n");

@@ -53,5 +53,5 @@ function showWayBack(course: HTMLElement, { last }: Progress): void {
   first.hidden = Boolean(there);
   if (!there) return;
   link.href = there.href + (last?.task ? `#task-${last.task}` : "");
-  link.textContent = courseWords.goOn(item?.querySelector("b")?.textContent ?? "");
+  link.textContent = courseWords.goOn(there.textContent);
 }
