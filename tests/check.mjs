@@ -19,7 +19,7 @@ export async function check() {
   });
   step("types", () => {
     run("npx", ["tsc", "-p", "."]);
-    run(venvTool("mypy"), ["bugbot", "mapping", "grader", "bridge"], { cwd: python });
+    run(venvTool("mypy"), ["bugbot", "mapping", "grader", "bridge", "sketch"], { cwd: python });
   });
   step("Python tests", () => run(venvTool("python"), ["-m", "pytest"], { cwd: python }));
   step("unit tests", () =>
