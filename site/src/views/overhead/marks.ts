@@ -38,7 +38,15 @@ export function paintTouch(
   stroke(ctx, camera, palette, palette.cursor, 2);
 }
 
-/** Cells marked by an outline and a stroke across, so that they show on any colour. */
+/** More cells than this are marked as regions: a frame around every one would hide the map. */
+const MANY_CELLS = 60;
+/** Of a region, every so many diagonals is drawn. */
+const HATCH = 3;
+
+/**
+ * Cells marked by an outline and strokes across, so that they show on any colour. Cells that touch
+ * are outlined together.
+ */
 export function paintCells(
   ctx: CanvasRenderingContext2D,
   camera: Camera,
@@ -46,11 +54,25 @@ export function paintCells(
   cells: readonly Cell[],
   colour: string,
 ) {
+  const place = ({ x, y, size }: Cell): [column: number, row: number] => [
+    Math.round(x / size),
+    Math.round(y / size),
+  ];
+  const marked = new Set(cells.map((cell) => place(cell).join()));
+  const line = (x1: number, y1: number, x2: number, y2: number): void => {
+    ctx.moveTo(camera.x(x1), camera.y(y1));
+    ctx.lineTo(camera.x(x2), camera.y(y2));
+  };
   ctx.beginPath();
   for (const cell of cells) {
-    frame(ctx, camera, cell, 0);
-    ctx.moveTo(camera.x(cell.x), camera.y(cell.y));
-    ctx.lineTo(camera.x(cell.x + cell.size), camera.y(cell.y + cell.size));
+    const [column, row] = place(cell);
+    const [left, low, right, top] = [cell.x, cell.y, cell.x + cell.size, cell.y + cell.size];
+    if (!marked.has(`${column - 1},${row}`)) line(left, low, left, top);
+    if (!marked.has(`${column + 1},${row}`)) line(right, low, right, top);
+    if (!marked.has(`${column},${row - 1}`)) line(left, low, right, low);
+    if (!marked.has(`${column},${row + 1}`)) line(left, top, right, top);
+    const hatched = cells.length <= MANY_CELLS || (column - row) % HATCH === 0;
+    if (hatched) line(left, low, right, top);
   }
   stroke(ctx, camera, palette, colour, 1.5);
 }
