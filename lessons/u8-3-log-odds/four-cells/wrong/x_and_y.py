@@ -74,13 +74,30 @@ def passed_and_hit(x, y, angle, reading):
     return [cell for cell in passed if cell is not None], hit
 
 
-draw("watched", list(WATCHED.values()), "orange", "dots", 3)
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell % ACROSS + 0.5) * CELL, (cell // ACROSS + 0.5) * CELL
+
+
+def show():
+    """Draw the map, and the watched cells over it."""
+    cells = range(len(log_odds))
+    free = [centre(cell) for cell in cells if log_odds[cell] < -1]
+    occupied = [centre(cell) for cell in cells if log_odds[cell] > 1]
+    draw("free", free, "#9ecae1", "squares", CELL)
+    draw("occupied", occupied, "black", "squares", CELL)
+    draw("watched", list(WATCHED.values()), "orange", "dots", 3)
+
+
 forward(50)
 for tick in range(100):  # 10 seconds
     x, y = START[0] + position()[0], START[1] + position()[1]
     for angle, reading in scan():
         add_beam(x, y, heading() + angle, reading)
     watch()
+    if tick % 5 == 0:
+        show()
     if position()[1] >= 50:
         stop()
     wait(0.1)
+show()
