@@ -51,7 +51,7 @@ export default defineConfig({
       ...browser,
       // What Python does, what is kept and what the address says is the same on every screen.
       testIgnore:
-        /(address|article|bad-input|containment|hostile|keep|keyboard|python|same-trace|start-up|stop)\.spec/,
+        /(address|article|bad-input|containment|hostile|keep|keyboard|progress|python|same-trace|start-up|stop|tasks)\.spec/,
       use: {
         viewport: { width: 390, height: 844 },
         hasTouch: true,
