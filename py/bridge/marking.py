@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from bugbot.link import active
+from bugbot import clock
 from grader.judge import step
 from grader.perform import perform as do
 
@@ -61,7 +61,7 @@ def perform(job: str, program: str, beat: Callable[[float], None]) -> str:
     def on_flush() -> None:
         nonlocal due
         if real_time() >= due:
-            due = real_time() + BEAT_SECONDS  # first: asking for the link is a call that flushes
-            beat(active("beat").now())
+            due = real_time() + BEAT_SECONDS  # first: clock() is a call that flushes
+            beat(clock())
 
     return json.dumps(do(json.loads(job), program, on_flush))
