@@ -43,9 +43,9 @@ async function shownOutcome(lab: Locator): Promise<Outcome> {
 }
 
 for (const [name, wanted] of Object.entries(EXPERIMENTS)) {
-  test(`${name} gives the figures of the prose, and so does each experiment, which is undone`, async ({
-    page,
-  }) => {
+  test(`${name} gives the figures of the prose, and so does each experiment, which is undone`, {
+    tag: "@once",
+  }, async ({ page }) => {
     // A run for each experiment, on a machine that may be busy.
     test.slow();
     const lab = await openLab(page, name);
@@ -142,9 +142,9 @@ test("without scripts all of it is there: words, pictures, programs, and what se
   await context.close();
 });
 
-test("text is painted before Python is asked for, on less than 250 kB of script and style", async ({
-  page,
-}) => {
+test("text is painted before Python is asked for, on less than 250 kB of script and style", {
+  tag: "@once",
+}, async ({ page }) => {
   const sizes = new Map<string, number>();
   const bodies: Promise<unknown>[] = [];
   page.on("response", (response) => {

@@ -67,7 +67,10 @@ test("pointing at a call tells what it does", async ({ app, page, isMobile }) =>
   await expect(page.getByText("wait(seconds)")).toBeVisible();
 });
 
-test("the program's text can be made larger, and stays so", async ({ app, page }) => {
+test("the program's text can be made larger, and stays so", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   const size = (): Promise<number> =>
     app.program.evaluate((element) => Number.parseFloat(getComputedStyle(element).fontSize));
   await app.openLab("world=empty");

@@ -30,7 +30,10 @@ test("an error names its line, goes there, and shows Python's own words on deman
   await expect(app.problem).toBeHidden();
 });
 
-test("what is not yet Python is marked while typing, in plain words", async ({ app, page }) => {
+test("what is not yet Python is marked while typing, in plain words", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   await app.write("for i in range(3)\n    print(i)\n\n\n\n");
   const mark = page.locator(".cm-lintRange-error, .cm-lintPoint-error").first();

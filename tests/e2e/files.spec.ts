@@ -18,7 +18,7 @@ test("a program is saved and opened, as one step that can be undone", async ({ a
   expect(await app.text()).toBe('print("Grüße")\n');
 });
 
-test("a file dropped on the editor is opened", async ({ app, page }) => {
+test("a file dropped on the editor is opened", { tag: "@once" }, async ({ app, page }) => {
   await app.openLab("world=empty");
   const files = await page.evaluateHandle(() => {
     const data = new DataTransfer();
@@ -30,10 +30,9 @@ test("a file dropped on the editor is opened", async ({ app, page }) => {
   expect(await app.text()).toBe('print("dropped")\n');
 });
 
-test("a file that is no program is refused in words; one of a megabyte is not", async ({
-  app,
-  page,
-}) => {
+test("a file that is no program is refused in words; one of a megabyte is not", {
+  tag: "@once",
+}, async ({ app, page }) => {
   await app.openLab("world=empty");
   const before = await app.text();
   await app.openFile(OPEN, "photo.py", Buffer.from([0x89, 0x50, 0x4e, 0x47, 0, 1, 2, 0xff]));
@@ -49,7 +48,9 @@ test("a file that is no program is refused in words; one of a megabyte is not", 
   expect(await app.text()).toBe(before);
 });
 
-test("a run, its chart and its picture are saved; the run opens on its world", async ({ app }) => {
+test("a run, its chart and its picture are saved; the run opens on its world", {
+  tag: "@once",
+}, async ({ app }) => {
   await app.openLab("world=doorway&seed=5");
   await app.showEndsAtOnce();
   await app.runToEnd(LOOK_ROUND);
@@ -82,7 +83,7 @@ test("a run, its chart and its picture are saved; the run opens on its world", a
   expect(await app.text()).toBe(own);
 });
 
-test("the program of a saved run can be had", async ({ app, page }) => {
+test("the program of a saved run can be had", { tag: "@once" }, async ({ app, page }) => {
   await app.openLab("world=empty");
   await app.showEndsAtOnce();
   await app.runToEnd(LOOK_ROUND);
@@ -93,7 +94,7 @@ test("the program of a saved run can be had", async ({ app, page }) => {
   expect(await app.text()).toBe(LOOK_ROUND);
 });
 
-test("a damaged run is refused, with the line that is wrong", async ({ app }) => {
+test("a damaged run is refused, with the line that is wrong", { tag: "@once" }, async ({ app }) => {
   await app.openLab("world=empty");
   await app.showEndsAtOnce();
   await app.runToEnd('print("kept")\n');
@@ -111,7 +112,10 @@ test("a damaged run is refused, with the line that is wrong", async ({ app }) =>
   await expect(app.console).toContainText("kept");
 });
 
-test("before the first run there is no run and no chart to save", async ({ app, page }) => {
+test("before the first run there is no run and no chart to save", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   await page.getByRole("button", { name: "More", exact: true }).click();
   await expect(page.getByRole("button", { name: "Save the run as a file" })).toBeDisabled();
@@ -119,7 +123,7 @@ test("before the first run there is no run and no chart to save", async ({ app, 
   await expect(page.getByRole("button", { name: "Save the picture as PNG" })).toBeEnabled();
 });
 
-test("the More button by keyboard alone", async ({ app, page }) => {
+test("the More button by keyboard alone", { tag: "@once" }, async ({ app, page }) => {
   await app.openLab("world=empty");
   const more = page.getByRole("button", { name: "More", exact: true });
   await more.focus();
@@ -137,7 +141,10 @@ test("the More button by keyboard alone", async ({ app, page }) => {
   await expect(more).toHaveAttribute("aria-expanded", "false");
 });
 
-test("on paper the program is whole, and nothing is left to press", async ({ app, page }) => {
+test("on paper the program is whole, and nothing is left to press", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty&seed=3");
   const last = "print('the last line')";
   await app.setProgram(`${"# a line\n".repeat(300)}${last}\n`);

@@ -82,10 +82,9 @@ test("a tap on a slider moves it; it is tall enough for a finger", async ({
   await expectEndWith(app, 20);
 });
 
-test("a slider moves by keys: arrows, pages, ends; each press is a step for undo", async ({
-  app,
-  page,
-}) => {
+test("a slider moves by keys: arrows, pages, ends; each press is a step for undo", {
+  tag: "@once",
+}, async ({ app, page }) => {
   await open(app);
   const slider = sizeSlider(app);
   await slider.focus();
@@ -106,11 +105,9 @@ test("a slider moves by keys: arrows, pages, ends; each press is a step for undo
   await expect(app.program).toBeFocused();
 });
 
-test("Alt with the arrows changes the number at the caret, and moves lines elsewhere", async ({
-  app,
-  page,
-  isMobile,
-}) => {
+test("Alt with the arrows changes the number at the caret, and moves lines elsewhere", {
+  tag: "@once",
+}, async ({ app, page, isMobile }) => {
   test.skip(isMobile, "a phone's keyboard has no Alt");
   await open(app);
   await app.write("from bugbot import *\nwait(1)\nturn(90)\n");
@@ -126,7 +123,11 @@ test("Alt with the arrows changes the number at the caret, and moves lines elsew
   await expect(app.time).toHaveAttribute("aria-valuetext", /^[3-5]\.\d s$/);
 });
 
-test("any number can be dragged with Alt held", async ({ app, page, isMobile }) => {
+test("any number can be dragged with Alt held", { tag: "@once" }, async ({
+  app,
+  page,
+  isMobile,
+}) => {
   test.skip(isMobile, "a phone's keyboard has no Alt");
   await open(app);
   await app.write('print("at", 10)\n');
@@ -144,7 +145,9 @@ test("any number can be dragged with Alt held", async ({ app, page, isMobile }) 
   expect(await app.text()).toBe('print("at", 10)\n');
 });
 
-test("typing a number moves its slider; without a range there is none", async ({ app }) => {
+test("typing a number moves its slider; without a range there is none", { tag: "@once" }, async ({
+  app,
+}) => {
   await open(app);
   await app.write("SIZE = 7  # squares (1 to 20)\n");
   await expect(sizeSlider(app)).toHaveValue("7");
@@ -152,7 +155,10 @@ test("typing a number moves its slider; without a range there is none", async ({
   await expect(sizeSlider(app)).toHaveCount(0);
 });
 
-test("a page can set constants, as one step, all or none", async ({ app, page }) => {
+test("a page can set constants, as one step, all or none", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await open(app);
   const set = (values: Record<string, number>): Promise<void> =>
     page

@@ -23,7 +23,7 @@ test("the slider goes to any moment, by keyboard", async ({ app, page }) => {
   await expect(app.console).toContainText("looked round");
 });
 
-test("step goes by what the program did, both ways", async ({ app }) => {
+test("step goes by what the program did, both ways", { tag: "@once" }, async ({ app }) => {
   await app.stepBack.click();
   await expect(app.time).toHaveAttribute("aria-valuetext", "1.5 s");
   await app.stepBack.click();
@@ -46,7 +46,7 @@ test("play runs to the end and is Play again; the line being carried out is mark
   await expect(page.locator(".cm-playing")).toBeHidden();
 });
 
-test("the speed is remembered", async ({ app, page }) => {
+test("the speed is remembered", { tag: "@once" }, async ({ app, page }) => {
   await app.speed.selectOption("8×");
   await page.reload();
   await expect(app.speed).toHaveValue("8");

@@ -44,7 +44,7 @@ test("saved as a file, cleared, brought back, and opened again", async ({ page }
   await expect(task.mark).toContainText("You passed this task on");
 });
 
-test("what one tab passes, the other shows", async ({ page, context }) => {
+test("what one tab passes, the other shows", { tag: "@once" }, async ({ page, context }) => {
   await openTinyLesson(page);
   const task = new Task(page, "The cell of a point");
   await expect(task.root).toContainText("Not tried yet");
@@ -54,7 +54,9 @@ test("what one tab passes, the other shows", async ({ page, context }) => {
   await expect(task.root.getByText("A cell is 5 cm wide.", { exact: true })).toBeVisible();
 });
 
-test("where storage is refused a note says so, and marks work all the same", async ({ page }) => {
+test("where storage is refused a note says so, and marks work all the same", {
+  tag: "@once",
+}, async ({ page }) => {
   await page.addInitScript(() => {
     Storage.prototype.setItem = () => {
       throw new DOMException("full", "QuotaExceededError");

@@ -9,7 +9,10 @@ wait(0.1)
 plot("reading", distance())
 `;
 
-test("same noise is the same run, new noise is another", async ({ app, page }) => {
+test("same noise is the same run, new noise is another", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=wall-ahead&seed=4");
   await app.showEndsAtOnce();
   await app.runToEnd("from bugbot import *\nprint(distance())\n");
@@ -51,7 +54,7 @@ test("twenty seeds: progress, a line a run, the spread and a summary", async ({ 
   await expect(app.console).not.toContainText("Seed");
 });
 
-test("cancel keeps the runs there are", async ({ app, page }) => {
+test("cancel keeps the runs there are", { tag: "@once" }, async ({ app, page }) => {
   await app.openLab("world=wall-ahead");
   await app.write(NOISY);
   const repeat = page.getByRole("button", { name: "Repeat 20 times" });
@@ -63,7 +66,10 @@ test("cancel keeps the runs there are", async ({ app, page }) => {
   await expect(app.console).toContainText(/\d+ runs end at:/);
 });
 
-test("a fault ends the series and shows the run it happened in", async ({ app, page }) => {
+test("a fault ends the series and shows the run it happened in", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=wall-ahead&seed=8");
   // The first number drawn is 0.23 with seed 8, 0.46 with 9 and 0.57 with 10.
   await app.write("import random\nif random.random() > 0.5:\n    print(nothing_of_this_name)\n");

@@ -11,13 +11,19 @@ test("from the home page into the lab and to a finished run", async ({ app, page
   await expect(app.status).toHaveText(/Finished at \d+\.\d s/);
 });
 
-test("a world chosen on the home page is open in the lab", async ({ app, page }) => {
+test("a world chosen on the home page is open in the lab", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await page.goto("./");
   await page.getByRole("link", { name: /A doorway/ }).click();
   await expect(app.world).toHaveValue("doorway");
 });
 
-test("a run shows in the console, the view, the chart and the time", async ({ app, page }) => {
+test("a run shows in the console, the view, the chart and the time", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   await app.showEndsAtOnce();
   await app.runToEnd(LOOK_ROUND);
@@ -28,7 +34,9 @@ test("a run shows in the console, the view, the chart and the time", async ({ ap
   await expect(page.getByText("beams that found something").first()).toBeVisible();
 });
 
-test("run pressed before Python is up waits for it and says so", async ({ app }) => {
+test("run pressed before Python is up waits for it and says so", { tag: "@once" }, async ({
+  app,
+}) => {
   await app.openLab();
   await app.run.click();
   await expect(app.status).toHaveText(/Your program runs as soon as it is up|Running|Finished/);
@@ -36,7 +44,10 @@ test("run pressed before Python is up waits for it and says so", async ({ app })
   await expect(app.status).toHaveText(/Finished at/);
 });
 
-test("edit and run again; Ctrl+Enter runs from the editor", async ({ app, page }) => {
+test("edit and run again; Ctrl+Enter runs from the editor", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   await app.showEndsAtOnce();
   await app.runToEnd('print("first")');
@@ -47,7 +58,10 @@ test("edit and run again; Ctrl+Enter runs from the editor", async ({ app, page }
   await expect(app.console).not.toContainText("first");
 });
 
-test("the lab's promise: run() resolves to the outcome", async ({ app, page }) => {
+test("the lab's promise: run() resolves to the outcome", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   await app.write(LOOK_ROUND);
   const outcome = await page

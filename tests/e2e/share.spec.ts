@@ -46,10 +46,9 @@ test("a link opened elsewhere asks first, opens if told to, and runs nothing", a
   await context.close();
 });
 
-test("keeping one's own changes nothing, and a reload does not ask again", async ({
-  app,
-  page,
-}) => {
+test("keeping one's own changes nothing, and a reload does not ask again", {
+  tag: "@once",
+}, async ({ app, page }) => {
   await app.openLab("world=empty");
   await app.write(SHARED);
   const link = await linkTo(app);
@@ -62,11 +61,9 @@ test("keeping one's own changes nothing, and a reload does not ask again", async
   await expect(panel(page)).toBeHidden();
 });
 
-test("a link is copied; where that is refused it is there to be copied by hand", async ({
-  app,
-  page,
-  context,
-}) => {
+test("a link is copied; where that is refused it is there to be copied by hand", {
+  tag: "@once",
+}, async ({ app, page, context }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await app.openLab("world=empty");
   await app.more("Share as a link…");
@@ -84,7 +81,7 @@ test("a link is copied; where that is refused it is there to be copied by hand",
   expect(await page.evaluate(() => getSelection()?.toString())).toBe(await field.inputValue());
 });
 
-test("a long link is warned of", async ({ app, page }) => {
+test("a long link is warned of", { tag: "@once" }, async ({ app, page }) => {
   await app.openLab("world=empty");
   // Numbers without a pattern do not pack.
   const numbers = Array.from({ length: 2500 }, (_, i) => (i * 2654435761) % 4294967296);
@@ -94,7 +91,10 @@ test("a long link is warned of", async ({ app, page }) => {
   await expect(page.getByRole("button", { name: "Save as a .py file" })).toBeVisible();
 });
 
-test("a damaged link says so and leaves the lab as it is", async ({ app, page }) => {
+test("a damaged link says so and leaves the lab as it is", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty#code=abc");
   await expect(page.getByRole("alert")).toContainText("damaged or cut short");
   await app.write(THEIRS);

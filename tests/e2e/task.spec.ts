@@ -116,9 +116,9 @@ test("a solution is shown to who asks twice, beside one's own program, and can b
   await expect(panel).toBeHidden();
 });
 
-test("marking can be cancelled, and a function that never returns does not stop it", async ({
-  page,
-}) => {
+test("marking can be cancelled, and a function that never returns does not stop it", {
+  tag: "@once",
+}, async ({ page }) => {
   await openTinyLesson(page);
   const task = new Task(page, "The cell of a point");
   await task.write(CELL_OF.endless);
@@ -145,7 +145,9 @@ const ATTEMPTS: readonly (readonly [what: string, program: string, got: RegExp])
   ["JavaScript", "import js\ndef cell_of(x, y):\n    return (0, 0)\n", /js/],
 ];
 
-test("whatever is handed in gets a truthful mark and plain words", async ({ page }) => {
+test("whatever is handed in gets a truthful mark and plain words", { tag: "@once" }, async ({
+  page,
+}) => {
   await openTinyLesson(page);
   const task = new Task(page, "The cell of a point");
   for (const [what, program, got] of ATTEMPTS) {
@@ -159,7 +161,7 @@ test("whatever is handed in gets a truthful mark and plain words", async ({ page
   }
 });
 
-test("a fault of ours is told as ours", async ({ page }) => {
+test("a fault of ours is told as ours", { tag: "@once" }, async ({ page }) => {
   await openTinyLesson(page, { check: "from grader import check\n1 / 0\n" });
   const task = new Task(page, "The cell of a point");
   await task.marked(CELL_OF.solution);

@@ -25,10 +25,9 @@ test("a run and a reset leave versions; one comes back as one step", async ({ ap
   expect(await app.text()).toBe(starter);
 });
 
-test("what is replaced by a version is a version itself, also after a reload", async ({
-  app,
-  page,
-}) => {
+test("what is replaced by a version is a version itself, also after a reload", {
+  tag: "@once",
+}, async ({ app, page }) => {
   await app.openLab("world=empty");
   await app.setProgram('print("first")\n');
   await app.setProgram('print("second")\n');
@@ -42,7 +41,10 @@ test("what is replaced by a version is a version itself, also after a reload", a
   await expect(entries(page)).toContainText('print("second")');
 });
 
-test("without versions the panel says when there will be some", async ({ app, page }) => {
+test("without versions the panel says when there will be some", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   await app.more("Earlier versions…");
   await expect(page.getByRole("dialog")).toContainText("There are none yet.");
@@ -51,7 +53,10 @@ test("without versions the panel says when there will be some", async ({ app, pa
   await expect(page.getByRole("button", { name: "More", exact: true })).toBeFocused();
 });
 
-test("where storage is refused versions last as long as the page", async ({ app, page }) => {
+test("where storage is refused versions last as long as the page", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await page.addInitScript(() => {
     Storage.prototype.setItem = () => {
       throw new DOMException("full", "QuotaExceededError");
@@ -69,7 +74,10 @@ test("where storage is refused versions last as long as the page", async ({ app,
   expect(await app.text()).toBe('print("mine")\n');
 });
 
-test("a page with a newer program keeps the learner's, and shows both", async ({ app, page }) => {
+test("a page with a newer program keeps the learner's, and shows both", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   const starter = await app.text();
   await app.write(`${starter}print("mine")\n`);
@@ -93,7 +101,11 @@ test("a page with a newer program keeps the learner's, and shows both", async ({
   await expect(entries(page)).toContainText('print("mine")');
 });
 
-test("two tabs of one lab lose nothing of each other", async ({ app, page, context }) => {
+test("two tabs of one lab lose nothing of each other", { tag: "@once" }, async ({
+  app,
+  page,
+  context,
+}) => {
   await app.openLab("world=empty");
   const other = new App(await context.newPage());
   await other.openLab("world=empty");
