@@ -17,11 +17,15 @@ How marking works. A learner's program is never run in the interpreter that judg
     perform.py    does one job in a fresh interpreter: runs the program, calls its functions
     jobs.py       the JSON between the two
     limits.py     what a job may use up
-    fence.py      what a program may not use while it is marked
+    refusal.py    reads a program for what it may not use while it is marked
+    fence.py      takes that away while it runs
     calling.py    calls the learner's functions, inside a run
 
     task.py       what a check is handed: call, set, variable, run, expect, near
-    functions.py  a declared function, its calls, and which slip explains the answers
+    declare.py    a check.py's checks, and the functions it declares
+    calls.py      what a check asks of the learner's functions
+    functions.py  judges the answers
+    slips.py      which slip explains wrong ones
     places.py     where on the mat an answer is wrong
     compare.py    exactly, near, in_any_order
     values.py     answers as JSON, by exact type; and as a message shows them

@@ -16,9 +16,9 @@ from typing import Any
 
 from grader.declare import Check, checks_of
 from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramFailed
-from grader.fence import refusal
 from grader.jobs import Desk
 from grader.marks import NOT_RUN, PASSED, entry, failed_entry, mark_of
+from grader.refusal import refusal
 from grader.task import Task
 
 __all__ = ["step"]

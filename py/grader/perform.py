@@ -1,7 +1,7 @@
 """Does one job in an interpreter of its own: runs the learner's program, calls its functions.
 
-May import: the standard library, `bugbot`, `grader.calling`, `grader.fence`,
-`grader.limits`.
+May import: the standard library, `bugbot`, `grader.calling`, `grader.fence`, `grader.limits`,
+`grader.refusal`.
 
 Nothing that would tell what is right is here: what comes back is what the program did and
 answered, and whether that is right is judged elsewhere. The interpreter is ended afterwards
@@ -19,8 +19,9 @@ from bugbot.run.limits import Limits
 from bugbot.run.program import run_program
 from bugbot.trace import Trace
 from grader.calling import Caller
-from grader.fence import fenced, refusal
+from grader.fence import fenced
 from grader.limits import PROGRAM_S
+from grader.refusal import refusal
 
 __all__ = ["PROGRAM", "perform"]
 

@@ -9,19 +9,11 @@ from collections.abc import Iterable, Sequence
 from random import Random
 from typing import Any
 
+from grader.calls import NOT_SAID, Answered, Call, Look, Set, Step
 from grader.compare import Compare, exactly
 from grader.declare import Check, Function, mistakes_of
 from grader.failures import AuthorError, CheckFailed, NotRun, ProgramFailed
-from grader.functions import (
-    NOT_SAID,
-    Answered,
-    Call,
-    Look,
-    Set,
-    Step,
-    fault_text,
-    judge_steps,
-)
+from grader.functions import fault_text, judge_steps
 from grader.jobs import Desk, Group
 from grader.runs import Run
 from grader.values import shown
