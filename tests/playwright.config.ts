@@ -54,7 +54,7 @@ export default defineConfig({
       // What Python does, what is kept and what the address says is the same on every screen: whole
       // files of such stories, and those marked @once in the others.
       testIgnore:
-        /(address|bad-input|containment|hostile|keep|keyboard|python|same-marks|same-trace|start-up|stop)\.spec/,
+        /(address|bad-input|containment|hostile|keep|keyboard|python|same-trace|start-up|stop|tasks)\.spec/,
       grepInvert: /@once/,
       use: {
         viewport: { width: 390, height: 844 },
