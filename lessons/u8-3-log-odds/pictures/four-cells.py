@@ -32,7 +32,7 @@ def picture() -> str:
         mat.rectangle((X - 2.5, y - 2.5), 5, 5, "outline")
         mat.line((X + 4, y), (153, labels[name]), "axis")
         mat.text((155, labels[name]), name, "strong", down=4)
-        mat.text((187, labels[name]), f"y = {y:g}", "soft", down=4)
+        mat.text((202, labels[name]), f"y = {y:g}", "soft", down=4)
     mat.text((49, WALL_Y), "150", "small soft end", down=4)
     mat.text((49, ROBOT[1]), "40", "small soft end", down=4)
     return drawing.svg()
