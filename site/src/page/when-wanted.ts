@@ -12,23 +12,26 @@ interface Connection {
   connection?: { saveData?: boolean };
 }
 
+/** Somebody is there. Until then a page that was only opened, or only looked at, costs little. */
+const SIGNS = ["pointermove", "pointerdown", "keydown", "wheel", "scroll"];
+
 /**
- * Call `start` once: as `whenNear` does or, where the reader saves data, only when they reach for a
- * lab. (A lab's Run starts Python in any case.)
+ * Call `start` once: when one of the labs comes near the screen, or the page has nothing else to do
+ * and somebody has begun to read it. Where the reader saves data, only when they reach for a lab.
+ * (A lab's Run starts Python in any case.)
  */
 export function whenWanted(labs: readonly Element[], start: () => void): void {
-  if (!(navigator as Navigator & Connection).connection?.saveData) {
-    whenNear(labs, start);
+  const { once, signal } = single(start);
+  if ((navigator as Navigator & Connection).connection?.saveData) {
+    for (const lab of labs) {
+      lab.addEventListener("pointerdown", once, { signal });
+      lab.addEventListener("focusin", once, { signal });
+    }
     return;
   }
-  const reached = new AbortController();
-  const once = (): void => {
-    reached.abort();
-    start();
-  };
-  for (const lab of labs) {
-    lab.addEventListener("pointerdown", once, { signal: reached.signal });
-    lab.addEventListener("focusin", once, { signal: reached.signal });
+  onNear(labs, once, signal);
+  for (const sign of SIGNS) {
+    addEventListener(sign, () => whenIdle(once), { once: true, passive: true, signal });
   }
 }
 
@@ -37,21 +40,31 @@ export function whenWanted(labs: readonly Element[], start: () => void): void {
  * nothing else to do.
  */
 export function whenNear(labs: readonly Element[], start: () => void): void {
-  let started = false;
+  const { once, signal } = single(start);
+  onNear(labs, once, signal);
+  whenIdle(once);
+}
+
+/** `start` for one call; the signal says that it has been made. */
+function single(start: () => void): { once: () => void; signal: AbortSignal } {
+  const started = new AbortController();
   const once = (): void => {
-    observer.disconnect();
-    if (started) return;
-    started = true;
+    if (started.signal.aborted) return;
+    started.abort();
     start();
   };
+  return { once, signal: started.signal };
+}
+
+function onNear(labs: readonly Element[], callback: () => void, signal: AbortSignal): void {
   const observer = new IntersectionObserver(
     (entries) => {
-      if (entries.some((entry) => entry.isIntersecting)) once();
+      if (entries.some((entry) => entry.isIntersecting)) callback();
     },
     { rootMargin: NEAR },
   );
   for (const lab of labs) observer.observe(lab);
-  whenIdle(once);
+  signal.addEventListener("abort", () => observer.disconnect());
 }
 
 /** Once the page has loaded and has nothing else to do. */
