@@ -30,19 +30,22 @@ export async function fillHome(html, course) {
     .replace("<!-- course -->", courseHtml(course.lessons));
 }
 
-/** The run that the map is of: the first program of the lab. */
-export function mapProgram() {
+/**
+ * The run that the map is of: the first program of the lab.
+ * @param {Course} course
+ */
+export async function mapRun(course) {
   const folder = join(ROOT, "lessons/lab");
   const [first] = JSON.parse(readFileSync(join(folder, "lab.json"), "utf8"));
-  return { world: String(first.world), source: readFileSync(join(folder, first.program), "utf8") };
+  const world = course.worlds.find(({ name }) => name === first.world);
+  if (!world) throw new Error(`lessons/lab/lab.json: there is no world ${first.world}`);
+  const program = readFileSync(join(folder, first.program), "utf8");
+  return { outcome: await course.outcome(program, world), world };
 }
 
 /** @param {Course} course */
 async function mapFigure(course) {
-  const program = mapProgram();
-  const world = course.worlds.find(({ name }) => name === program.world);
-  if (!world) throw new Error(`lessons/lab/lab.json: there is no world ${program.world}`);
-  const outcome = await course.outcome(program.source, world);
+  const { outcome, world } = await mapRun(course);
   const { free, occupied } = outcome.layers;
   const counts = `${free?.points.length} cells are free, ${occupied?.points.length} are occupied`;
   const svg = mapPicture(outcome, world, {

@@ -12,8 +12,9 @@ import { Course, pathOf } from "./course.mjs";
 import { LessonFaults } from "./faults.mjs";
 import { faultsPage } from "./faults-page.mjs";
 import { readCourse } from "./folder.mjs";
-import { fillHome } from "./home.mjs";
+import { fillHome, mapRun } from "./home.mjs";
 import { slimMathematics } from "./katex-css.mjs";
+import { mapImage } from "./map-image.mjs";
 import { Measurer } from "./measure.mjs";
 import { siteMap, withFrame } from "./site-frame.mjs";
 
@@ -58,8 +59,10 @@ export function lessonPages(preparePython, folder) {
       const { slugs } = readCourse(folder);
       paths = slugs.map(pathOf);
       const pages = paths.map((path) => [path, join(SITE, path, "index.html")]);
+      // The development server makes a page when it is asked for one.
+      const input = dev ? {} : Object.fromEntries(pages);
       return {
-        build: { rollupOptions: { input: Object.fromEntries(pages) } },
+        build: { rollupOptions: { input } },
         // Formulas bring fonts and a style sheet from a package.
         server: { fs: { allow: [ROOT] } },
       };
@@ -94,9 +97,13 @@ export function lessonPages(preparePython, folder) {
       },
     },
 
-    generateBundle() {
+    async generateBundle() {
       const map = siteMap(["", "lab/", ...paths]);
-      if (map) this.emitFile({ type: "asset", fileName: "sitemap.xml", source: map });
+      // Only a site that knows its own address can tell others of these.
+      if (!map) return;
+      this.emitFile({ type: "asset", fileName: "sitemap.xml", source: map });
+      const { outcome, world } = await mapRun(await course());
+      this.emitFile({ type: "asset", fileName: "map.png", source: mapImage(outcome, world) });
     },
 
     configureServer(server) {
