@@ -23,7 +23,7 @@ def place(p):
 draw("log odds 0", [(0, 100), (200, 100)], "grey", "line", 0.6)
 draw("curve", [place(n / 200) for n in range(2, 199)], "black", "line", 1)
 draw("P", [place(P)], "red", "dots", 6)
-draw("scale", [(20, 104, "l = 0"), (20, 194, "l = 5"), (20, 12, "l = -5")], "grey", "text", 5)
+draw("scale", [(20, 104, "l = 0"), (20, 194, "l = 5"), (20, 12, "l = -5")], "grey", "text", 8)
 draw("P down to p", [(200 * P, 0), place(P)], "red", "line", 0.6)
 
 for p in (0.01, 0.1, 0.3, 0.4, 0.5, 0.6, 0.7, 0.9, 0.99):
