@@ -28,7 +28,7 @@ export default defineConfig({
   reporter: process.env.CI ? [["list"], ["html", { open: "never" }]] : "list",
   use: { baseURL: SITE ?? `http://127.0.0.1:${PORT}${FOLDER}`, trace: "on-first-retry" },
   // A story waits for frames and downloads as long as it computes: two fit on two cores.
-  workers: process.env.CI ? 2 : undefined,
+  ...(process.env.CI ? { workers: 2 } : {}),
   // A shared machine of two cores: a story that fails twice has failed.
   retries: process.env.CI ? 1 : 0,
   ...(SITE
