@@ -82,14 +82,15 @@ def check_course(
     """Check the lessons of a course, or those named; one report each, in the course's order.
 
     Faults of the course.json itself, and folders that it does not name, are in a report of
-    their own at the beginning.
+    their own at the beginning. A folder whose name begins with _ is no lesson.
     """
     slugs, faults = course(folder)
     reports = []
     if not only:
         own = Report("course.json", faults=faults)
         for path in sorted(folder.glob("*/lesson.json")):
-            if path.parent.name not in slugs and _has_tasks(path.parent):
+            name = path.parent.name
+            if not name.startswith("_") and name not in slugs and _has_tasks(path.parent):
                 words = "course.json does not name this lesson: add it there, or remove it"
                 own.faults.append(Fault(path, None, words))
         if own.faults:

@@ -122,6 +122,7 @@ def test_each_fault_is_found(
 @pytest.mark.usefixtures("_here")
 def test_a_lesson_that_the_course_forgets_is_found(folder: Path) -> None:
     shutil.copytree(folder / "one-step", folder / "two-steps")
+    shutil.copytree(folder / "one-step", folder / "_template")  # what lessons are copied from
     first = check_course(folder, seeds=1)[0]
     assert first.slug == "course.json"
     assert [fault.file.parent.name for fault in first.faults] == ["two-steps"]
