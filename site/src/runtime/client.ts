@@ -35,10 +35,10 @@ export interface WarmUp {
   world: World;
 }
 
-/** Dispatches "change" when `state` or `progress` has changed. */
-/** Chromium's compiler needs about a second of running to be done with a mapper. */
-const WARM_UPS = 3;
+/** A page that has just started has enough to do, and a reader may be about to press Run. */
+const SETTLE_MS = 1500;
 
+/** Dispatches "change" when `state` or `progress` has changed. */
 export class Runtime extends EventTarget {
   #state: RuntimeState = "cold";
   #error: string | null = null;
@@ -150,22 +150,22 @@ export class Runtime extends EventTarget {
 
   /** What can wait until Python is up, and gives way to what the reader runs. */
   async #followUp(pool: Pool, assets: Assets): Promise<void> {
-    await this.#runWarmUps(pool, assets);
+    await this.#runWarmUp(pool, assets);
     await this.#work;
     // A program that needs it before fetches it itself, and hears of a failure.
     assets.stdlib().catch(() => {});
   }
 
   /**
-   * In workers of their own, which are then thrown away: what the engine has compiled serves the
-   * next ones. The reader's own runs do as well, and have the machine to themselves.
+   * In a worker of its own, which is then thrown away: what the engine has compiled serves the next
+   * ones. The reader's own runs do as well, and have the machine to themselves.
    */
-  async #runWarmUps(pool: Pool, assets: Assets): Promise<void> {
+  async #runWarmUp(pool: Pool, assets: Assets): Promise<void> {
+    await new Promise((resolve) => setTimeout(resolve, SETTLE_MS));
+    if (!this.#warmUp || this.#work) return;
     const workers: Workers = { take: () => pool.start(), prepare: async () => {} };
-    for (let i = 0; this.#warmUp && !this.#work && i < WARM_UPS; i += 1) {
-      this.#warmingUp = new Run({ ...this.#warmUp, seed: i }, {}, workers, assets);
-      await this.#warmingUp.done;
-    }
+    this.#warmingUp = new Run({ ...this.#warmUp, seed: 0 }, {}, workers, assets);
+    await this.#warmingUp.done;
     this.#warmingUp = null;
   }
 
