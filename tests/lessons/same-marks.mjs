@@ -1,6 +1,8 @@
 /**
- * node tests/lessons/same-marks.mjs [SLUG…]: every starter, solution and wrong attempt of the course gets
- * the same mark from CPython and from Pyodide, the browser's Python. The two work side by side.
+ * node tests/lessons/same-marks.mjs [--few] [SLUG…]: every starter, solution and wrong attempt of the
+ * course gets the same mark from CPython and from Pyodide, the browser's Python. The two work side
+ * by side. With --few, of each task the solution and one wrong attempt, as npm test does: all of
+ * them take some two minutes.
  */
 import { spawn } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -16,7 +18,8 @@ import { venvTool } from "../setup.mjs";
 const LESSONS = join(ROOT, "lessons");
 const MARKS = join(ROOT, "tests/lessons/marks.py");
 
-const asked = process.argv.slice(2);
+const few = process.argv.includes("--few");
+const asked = process.argv.slice(2).filter((each) => each !== "--few");
 /** @type {string[]} */
 const slugs = asked.length > 0 ? asked : readJson(join(LESSONS, "course.json")).lessons;
 const work = slugs.flatMap(workOf);
@@ -48,7 +51,10 @@ function workOf(slug) {
       const attempts = existsSync(wrong)
         ? readdirSync(wrong).filter((file) => file.endsWith(".py"))
         : [];
-      const files = ["starter.py", "solution.py", ...attempts.map((file) => `wrong/${file}`)];
+      const wrongs = attempts.sort().map((file) => `wrong/${file}`);
+      const files = few
+        ? ["solution.py", ...wrongs.slice(0, 1)]
+        : ["starter.py", "solution.py", ...wrongs];
       const check = read(join(folder, name, "check.py"));
       return files.map((file) => ({
         ...{ slug, worlds, task: name, file, check },
