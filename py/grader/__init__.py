@@ -10,6 +10,7 @@ them:
     exactly        how answers are compared: as they are
     near           … numbers within so much
     in_any_order   … lists whose order does not matter
+    scoring        what a run of task.trials is worth
 
 How marking works. A learner's program is never run in the interpreter that judges it:
 
@@ -29,13 +30,16 @@ How marking works. A learner's program is never run in the interpreter that judg
     places.py     where on the mat an answer is wrong
     compare.py    exactly, near, in_any_order
     values.py     answers as JSON, by exact type; and as a message shows them
-    runs.py       a run: how it ended, its path, its chart, its prints
+    runs.py       a run: its path, its chart, its prints
+    endings.py    how it ended
+    trials.py     runs that are all reported, whatever comes of them
     maps.py       the map a run has drawn
     scans.py      what the reference makes of a run's scans
     traces.py     a trace from elsewhere, checked row by row
     lines.py      a line of its chart
     trust.py      a trace held against the truth
-    marks.py      the mark, as JSON and as text
+    marks.py      the mark, as JSON
+    report.py     the mark, as text
     failures.py   the three ways a check ends early
 
     lesson.py     reads a lesson's folder, and says what is wrong with it
@@ -46,6 +50,6 @@ How marking works. A learner's program is never run in the interpreter that judg
 """
 
 from grader.compare import exactly, in_any_order, near
-from grader.declare import check, function
+from grader.declare import check, function, scoring
 
-__all__ = ["check", "exactly", "function", "in_any_order", "near"]
+__all__ = ["check", "exactly", "function", "in_any_order", "near", "scoring"]

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from grader.lesson import LESSONS, CourseError, lesson_at
 from grader.marking import Performer, mark_program
-from grader.marks import text_of
+from grader.report import text_of
 from grader.standing import SEEDS, Report, check_course
 
 __all__ = ["main"]

@@ -13,7 +13,17 @@ from typing import Any
 from grader.compare import Compare, exactly
 from grader.failures import AuthorError
 
-__all__ = ["Check", "Function", "Mistake", "check", "checks_of", "function", "mistakes_of"]
+__all__ = [
+    "Check",
+    "Function",
+    "Mistake",
+    "Scoring",
+    "check",
+    "checks_of",
+    "function",
+    "mistakes_of",
+    "scoring",
+]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +61,15 @@ class Function:
     def signature(self) -> str:
         """As the learner must define it, without its parameters' defaults."""
         return f"{self.name}({', '.join(self.parameters)})"
+
+
+@dataclass(frozen=True, slots=True)
+class Scoring:
+    """How the runs of a file are scored; `scoring` has the words."""
+
+    how: str
+    points: Callable[..., float]
+    of: float
 
 
 @dataclass(slots=True)
@@ -112,6 +131,20 @@ def function(
         raise AuthorError(f"function({signature!r}) wants a function that gives what is right")
     listed = mistakes_of(mistakes, f"function({signature!r})")
     return Function(name, parameters, reference, compare, listed, changes, cell_cm, grid_cm)
+
+
+def scoring(how: str, points: Callable[..., float], *, of: float = 100) -> Scoring:
+    """Declare what a run is worth: the score is the mean of the runs that it is handed to.
+
+    how     what counts, in a sentence or two for the learner
+    points  (run, map) -> points of a run that ended by itself
+    of      the most a run can have; what is more, or less than 0, is cut to it
+    """
+    if not isinstance(how, str) or not how.strip():
+        raise AuthorError(f"scoring(how, points) wants words for the learner; it got {how!r}")
+    if not callable(points) or not of > 0:
+        raise AuthorError("scoring(how, points, of=…) wants a function of a run and its map")
+    return Scoring(how, points, of)
 
 
 def mistakes_of(mistakes: Sequence[tuple[Any, ...]], call: str) -> tuple[Mistake, ...]:

@@ -35,6 +35,18 @@ class CheckFailed(Exception):  # noqa: N818 - a verdict, and no error
         self.hint = hint
         self.where = where
 
+    def but(
+        self, *, got: str | None = None, likely: str | None = None, hint: int | None = None
+    ) -> CheckFailed:
+        """The same failure with something else told of it."""
+        return type(self)(
+            self.expected,
+            self.got if got is None else got,
+            likely=self.likely if likely is None else likely,
+            hint=self.hint if hint is None else hint,
+            where=self.where,
+        )
+
 
 class ProgramFailed(CheckFailed):
     """The program itself came to grief, whatever this check is about: told once in a mark."""

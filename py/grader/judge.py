@@ -20,6 +20,7 @@ from grader.jobs import Desk
 from grader.marks import NOT_RUN, PASSED, entry, failed_entry, mark_of
 from grader.refusal import refusal
 from grader.task import Task
+from grader.trials import score_of
 
 __all__ = ["step"]
 
@@ -69,7 +70,11 @@ def step(
             if len(results) > _MOST_ROUNDS * (len(checks) + 1):
                 raise AuthorError("its checks ask for something else each time they are run")
             return {"jobs": jobs}
-        return {"mark": mark_of(slug, task, _judged(checks, states))}
+        entries = _judged(checks, states)
+        trials = [(place, each) for place, (at, _) in enumerate(states) for each in at.trials_made]
+        results = [trial.to_json(place) for place, trial in trials]
+        score = score_of([trial for _, trial in trials])
+        return {"mark": mark_of(slug, task, entries, results=results, score=score)}
     except Exception as error:
         entries = [entry(each.title, NOT_RUN) for each in checks]
         return {"mark": mark_of(slug, task, entries, ours=_ours(error, filename))}

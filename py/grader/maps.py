@@ -72,7 +72,7 @@ class Map:
     def wrong_floor(self, at_most: float) -> Map:
         """Expect at most so many per cent of the free cells to be inside an obstacle."""
         wrong, free = self.score.wrong_floor, self.score.free
-        percent = 100.0 * len(wrong) / max(1, free)
+        percent = self.score.wrong_floor_percent
         if percent > at_most:
             self._fail(
                 f"at most {at_most:g} % of the free cells inside something solid",

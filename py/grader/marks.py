@@ -1,4 +1,4 @@
-"""The mark: JSON for the page, text for the command line.
+"""The mark: JSON for the page; `grader.report` makes it text.
 
 May import: the standard library, `grader.failures`.
 
@@ -6,13 +6,25 @@ May import: the standard library, `grader.failures`.
      "checks": [{"title", "status": "passed" | "failed" | "not run", "expected", "got",
                  "where": null | {"world", "cells", "cell_cm", "seconds", "job"},
                  "likely": null | text, "hint": null | 0 to 2}, …],
+     "results": [{"check": its check's place, "world", "seed", "job",
+                  "layers": {"free", "occupied"}: names of the layers that hold its map,
+                  "ended": "finished" | "limit" | "fault" | "stopped" | "doubted" | "died",
+                  "why": why it stopped, as the program or the limit says,
+                  "figures": [{"name", "value": null | number, "unit", "digits",
+                               "at_least": null | number, "at_most": null | number,
+                               "met": null | bool}, …],
+                  "points": null | number, "passed"}, …],
+     "score": null | {"value", "of", "how": what counts, in words},
      "ours": null | text}
+
+`results` are the runs that checks asked for as trials, and `score` what these are worth together.
 
 `ours` is a fault of the lesson or of the grader. It is never the learner's, and says so.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from grader.failures import CheckFailed, ProgramFailed
@@ -25,14 +37,11 @@ __all__ = [
     "failed_entry",
     "first_failed",
     "mark_of",
-    "text_of",
 ]
 
 PASSED = "passed"
 FAILED = "failed"
 NOT_RUN = "not run"
-
-_SIGNS = {PASSED: "+", FAILED: "-", NOT_RUN: "."}
 
 
 def entry(title: str, status: str) -> dict[str, Any]:
@@ -66,7 +75,13 @@ def failed_entry(title: str, failure: CheckFailed, hint: int | None) -> dict[str
 
 
 def mark_of(
-    lesson: str, task: str, checks: list[dict[str, Any]], ours: str | None = None
+    lesson: str,
+    task: str,
+    checks: list[dict[str, Any]],
+    *,
+    results: Sequence[dict[str, Any]] = (),
+    score: dict[str, Any] | None = None,
+    ours: str | None = None,
 ) -> dict[str, Any]:
     """The whole mark."""
     passed = ours is None and bool(checks) and all(each["status"] == PASSED for each in checks)
@@ -76,6 +91,8 @@ def mark_of(
         "task": task,
         "passed": passed,
         "checks": checks,
+        "results": list(results),
+        "score": score,
         "ours": ours,
     }
 
@@ -83,36 +100,3 @@ def mark_of(
 def first_failed(mark: dict[str, Any]) -> dict[str, Any] | None:
     """The check whose details are worth reading first."""
     return next((each for each in mark["checks"] if each["status"] == FAILED), None)
-
-
-def text_of(mark: dict[str, Any]) -> str:
-    """The mark as the command line prints it."""
-    lines = [f"{mark['lesson']}: {mark['task']}"]
-    first = first_failed(mark)
-    for each in mark["checks"]:
-        lines.append(f"  {_SIGNS[each['status']]} {each['title']}: {each['status']}")
-        if first is not None and each is first:
-            lines += _details(first)
-    if mark["ours"] is not None:
-        lines.append(f"  This is our fault, not yours: {mark['ours']}")
-    lines.append("Passed." if mark["passed"] else "Not passed yet.")
-    return "\n".join(lines)
-
-
-def _details(check: dict[str, Any]) -> list[str]:
-    lines = [f"      expected: {check['expected']}", f"      got:      {check['got']}"]
-    where = check["where"]
-    if where is not None:
-        parts = [f"world {where['world']['name']}"]
-        if where["seconds"] is not None:
-            parts.append(f"at {where['seconds']:.1f} s")
-        if where["cells"]:
-            cells = ", ".join(f"({column}, {row})" for column, row in where["cells"][:5])
-            more = len(where["cells"]) - 5
-            parts.append(f"cells {cells}{f' and {more} more' if more > 0 else ''}")
-        lines.append(f"      where:    {'; '.join(parts)}")
-    if check["likely"] is not None:
-        lines.append(f"      likely:   {check['likely']}")
-    if check["hint"] is not None:
-        lines.append(f"      help:     hint {check['hint'] + 1}")
-    return lines

@@ -7,8 +7,10 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from copy import copy
+from functools import cached_property
+from math import hypot
 from typing import Any
 
 from bugbot.errors import nearest
@@ -18,8 +20,8 @@ from bugbot.sim.odometry import Odometry
 from bugbot.trace import Trace
 from bugbot.worlds import Start, World
 from grader.declare import Mistake
-from grader.failures import AuthorError, CheckFailed, ProgramFailed
-from grader.functions import fault_text
+from grader.endings import Ending, broken_off, ending_of, where_in
+from grader.failures import AuthorError, CheckFailed
 from grader.jobs import died_of
 from grader.lines import Line
 from grader.maps import Map, drawn_map, reference_map
@@ -48,13 +50,14 @@ class Run:
     path       [(t, x, y, heading)], the true poses
     scans      its looks, each with .t .x .y .heading .beams [(angle, reading)]
     console    all that it printed
+    bumps      how often it touched something
     drift      how fast its gyro really drifted [degrees/s]
     """
 
-    def __init__(self, job: dict[str, Any], trace: Trace | None, trouble: CheckFailed | None):
+    def __init__(self, job: dict[str, Any], trace: Trace | None, ending: Ending):
         self._job = job
         self._trace = trace
-        self._trouble = trouble
+        self.ending = ending
         self._mistakes: tuple[Mistake, ...] = ()
         self._maps: list[Map] = []
         # Worked out once, and shared by all that look at this run.
@@ -68,6 +71,7 @@ class Run:
         self.drift = Odometry(wrap_heading(self.start.heading), job["seed"]).drift_deg_s
         self.seconds = 0.0
         self.console = ""
+        self.bumps = 0
         self._series: dict[str, list[list[float]]] = {}
         self.path: list[tuple[float, float, float, float]] = []
         self.scans: list[Scan] = []
@@ -75,6 +79,7 @@ class Run:
             outcome = outcome_of(trace)
             self.seconds = outcome["seconds"]
             self.console = outcome["console"]
+            self.bumps = sum(1 for _ in trace.of_kind("bump"))
             self._series = outcome["series"]
             self.path = [event[1:5] for event in trace.events if event[0] == "pose"]
             self.scans = scans_of(trace)
@@ -86,15 +91,15 @@ class Run:
         """The run that a performer reports."""
         died = died_of(result)
         if died is not None:
-            return cls(job, None, _program_failed("a program that comes to its end", died, job))
+            return cls(job, None, broken_off(job, "a program that comes to its end", died))
         try:
             trace = trace_from(
                 result.get("trace"), job["world"], job["seed"], job["limits"]["simulated_s"]
             )
         except MalformedError as error:
             words = f"the run left no record that can be read: {error}"
-            return cls(job, None, _program_failed("a run of the robot", words, job))
-        return cls(job, trace, _trouble(job, trace))
+            return cls(job, None, broken_off(job, "a run of the robot", words))
+        return cls(job, trace, ending_of(job, trace))
 
     def with_mistakes(self, mistakes: tuple[Mistake, ...]) -> Run:
         """The same run, looked at by a check that knows these slips."""
@@ -103,20 +108,23 @@ class Run:
         run._maps = []
         return run
 
+    @cached_property
+    def is_honest(self) -> bool:
+        """Whether there is a record, even of a run cut short, of what can have happened."""
+        if self._trace is None or self.ending.kind == "doubted":
+            return False
+        return self.ending.kind == "finished" or doubt(self._trace, self._world) is None
+
+    @property
+    def place(self) -> dict[str, Any]:
+        """Where it was made, as a mark says it."""
+        return {"world": self._job["world"], "seed": self._job["seed"], "job": self._job["id"]}
+
     def must_have_ended(self) -> None:
         """Refuse a run that did not come to its end, or can't have been."""
-        if self._trouble is None:
-            return
-        mistake = self._mistake() if self._trace is not None else None
-        if mistake is not None and self._trouble.likely is None:
-            raise ProgramFailed(
-                self._trouble.expected,
-                self._trouble.got,
-                likely=mistake.text,
-                hint=mistake.hint,
-                where=self._trouble.where,
-            )
-        raise self._trouble
+        trouble = self.ending.trouble
+        if trouble is not None:
+            raise self.explained(trouble)
 
     def must_have_seen_its_maps(self) -> None:
         """Refuse maps, among those looked at, of cells where no beam has been."""
@@ -135,14 +143,22 @@ class Run:
         hint: int | None = None,
     ) -> CheckFailed:
         """A failed expectation about this run, with the slip that it looks like."""
-        mistake = self._mistake() if likely is None else None
-        return CheckFailed(
+        failure = CheckFailed(
             expected,
             got,
-            likely=mistake.text if mistake else likely,
-            hint=mistake.hint if mistake and mistake.hint is not None else hint,
-            where=_where(self._job, seconds, cells, cell_cm),
+            likely=likely,
+            hint=hint,
+            where=where_in(self._job, seconds, cells, cell_cm),
         )
+        return self.explained(failure)
+
+    def explained(self, failure: CheckFailed) -> CheckFailed:
+        """The failure with the slip that the run looks like, unless it has a cause already."""
+        mistake = self._mistake() if failure.likely is None and self._trace else None
+        if mistake is None:
+            return failure
+        hint = failure.hint if mistake.hint is None else mistake.hint
+        return failure.but(likely=mistake.text, hint=hint)
 
     def _mistake(self) -> Mistake | None:
         plain = self.with_mistakes(())
@@ -234,7 +250,7 @@ class Run:
     def prints(self, text: str) -> Run:
         """Expect a text in what was printed."""
         if text not in self.console:
-            raise self.failure(f"{text!r} printed", self._printed())
+            raise self.failure(f"{text!r} printed", self.last_printed)
         return self
 
     def number_after(self, text: str) -> float:
@@ -242,10 +258,12 @@ class Run:
         pattern = re.escape(text) + r"[^-+\d\n]{0,20}([-+]?\d+\.?\d*(?:[eE][-+]?\d+)?)"
         found = re.findall(pattern, self.console)
         if not found:
-            raise self.failure(f"a number printed after {text!r}", self._printed())
+            raise self.failure(f"a number printed after {text!r}", self.last_printed)
         return float(found[-1])
 
-    def _printed(self) -> str:
+    @property
+    def last_printed(self) -> str:
+        """What it printed last, as a message says it."""
         lines = self.console.strip().splitlines()
         if not lines:
             return "nothing is printed"
@@ -270,16 +288,37 @@ class Run:
 
     def never_bumps(self) -> Run:
         """Expect the robot to touch nothing."""
-        bumps = list(self._trace.of_kind("bump")) if self._trace else []
-        if bumps:
-            first = bumps[0]
-            times = "once" if len(bumps) == 1 else f"{len(bumps)} times"
+        return self.bumped(at_most=0)
+
+    def bumped(self, at_most: int) -> Run:
+        """Expect the robot to touch something at most so many times."""
+        if self._trace is not None and self.bumps > at_most:
+            first = next(self._trace.of_kind("bump"))
+            times = "once" if self.bumps == 1 else f"{self.bumps} times"
             raise self.failure(
-                "the robot to touch nothing",
+                "the robot to touch nothing"
+                if at_most == 0
+                else f"the robot to touch something at most {at_most:g} times",
                 f"it touched something {times}, first at {first['t']:.1f} s",
                 cells=[(int(first["x"] // 5), int(first["y"] // 5))],
                 seconds=first["t"],
             )
+        return self
+
+    @property
+    def distance_cm(self) -> float:
+        """The length of its path."""
+        steps = zip(self.path, self.path[1:], strict=False)
+        length = 0.0
+        for before, after in steps:
+            length += hypot(after[1] - before[1], after[2] - before[2])
+        return length
+
+    def drove(self, at_most: float) -> Run:
+        """Expect a path of at most so many centimetres."""
+        driven = self.distance_cm
+        if driven > at_most:
+            raise self.failure(f"a path of at most {at_most:g} cm", f"{driven:.0f} cm")
         return self
 
     def took(self, at_most: float) -> Run:
@@ -302,50 +341,3 @@ class Run:
             raise AuthorError("pose_at() asks for the path of a run that has none")
         index = bisect_right([pose[0] for pose in self.path], seconds + 1e-9)
         return self.path[max(0, index - 1)][1:]
-
-
-def _trouble(job: dict[str, Any], trace: Trace) -> CheckFailed | None:
-    """What keeps a run from being judged: it was cut short, or can't have happened."""
-    fault = next(trace.of_kind("fault"), None)
-    end = next(trace.of_kind("end"))
-    if fault is not None:
-        words = "a program that runs without an error"
-        return _program_failed(words, fault_text(fault), job, fault["t"], fault["hint"])
-    if end["status"] != "finished":
-        limit = job["limits"]["simulated_s"]
-        words = f"a program that comes to its end, within {limit:g} simulated seconds"
-        return _program_failed(words, end["message"], job, end["t"])
-    found = doubt(trace, World.from_dict(job["world"]))
-    if found is not None:
-        reason, seconds = found
-        words = "a run that the robot can have made"
-        got = f"{reason} (at {seconds:.2f} s)"
-        return _program_failed(
-            words, got, job, seconds, "the program has got behind the robot's calls"
-        )
-    return None
-
-
-def _program_failed(
-    expected: str,
-    got: str,
-    job: dict[str, Any],
-    seconds: float | None = None,
-    likely: str | None = None,
-) -> ProgramFailed:
-    return ProgramFailed(expected, got[:600], likely=likely, where=_where(job, seconds))
-
-
-def _where(
-    job: dict[str, Any],
-    seconds: float | None,
-    cells: Iterable[Sequence[int]] = (),
-    cell_cm: float = 5.0,
-) -> dict[str, Any]:
-    return {
-        "world": job["world"],
-        "cells": [list(cell) for cell in cells],
-        "cell_cm": cell_cm,
-        "seconds": seconds,
-        "job": job["id"],
-    }

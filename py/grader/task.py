@@ -11,11 +11,12 @@ from typing import Any
 
 from grader.calls import NOT_SAID, Answered, Call, Look, Set, Step
 from grader.compare import Compare, exactly
-from grader.declare import Check, Function, mistakes_of
-from grader.failures import AuthorError, CheckFailed, NotRun, ProgramFailed
+from grader.declare import Check, Function, Scoring, mistakes_of
+from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramFailed
 from grader.functions import fault_text, judge_steps
 from grader.jobs import Desk, Group
 from grader.runs import Run
+from grader.trials import Trial
 from grader.values import shown
 
 __all__ = ["Task"]
@@ -34,6 +35,7 @@ class Task:
         self._desk = desk
         self._plans: list[tuple[Group, list[Step]]] = []
         self._runs: list[Run] = []
+        self.trials_made: list[Trial] = []
 
     # -- functions -----------------------------------------------------------
 
@@ -104,14 +106,51 @@ class Task:
         seconds   simulated seconds that it may take
         mistakes  likely slips: (what the learner is told, run -> whether it looks like it[, hint])
         """
+        run = self._run(world, seed, seconds).with_mistakes(mistakes_of(mistakes, "task.run(…)"))
+        self._runs.append(run)
+        run.must_have_ended()
+        return run
+
+    def trials(
+        self,
+        world: str,
+        seeds: Sequence[int],
+        seconds: float = 120.0,
+        mistakes: Sequence[tuple[Any, ...]] = (),
+        scored: Scoring | None = None,
+        free: str = "free",
+        occupied: str = "occupied",
+    ) -> list[Trial]:
+        """Run the learner's program once for each seed, to report on every run.
+
+        world, seconds, mistakes  as for `run`
+        seeds                     of each run's noise
+        scored                    what a run is worth, made by scoring(…)
+        free, occupied            the layers in which its map is drawn
+        """
+        if not seeds or len(set(seeds)) != len(seeds):
+            raise AuthorError(f"task.trials(…) wants different seeds; it got {shown(list(seeds))}")
+        slips = mistakes_of(mistakes, "task.trials(…)")
+        runs = []
+        wanting = 0
+        for seed in seeds:
+            try:
+                runs.append(self._run(world, seed, seconds).with_mistakes(slips))
+            except NeedsJob:  # the others are asked for as well: they can be made side by side
+                wanting += 1
+        if wanting:
+            raise NeedsJob
+        layers = {"free": free, "occupied": occupied}
+        made = [Trial(run, layers, scored, alone=len(runs) == 1) for run in runs]
+        self.trials_made += made
+        return made
+
+    def _run(self, world: str, seed: int, seconds: float) -> Run:
         job, result = self._desk.run(world, seed, seconds)
-        slips = mistakes_of(mistakes, "task.run(…)")
         key = job["id"]
         if key not in self._desk.kept:
             self._desk.kept[key] = Run.of(job, result)
-        run: Run = self._desk.kept[key].with_mistakes(slips)
-        self._runs.append(run)
-        run.must_have_ended()
+        run: Run = self._desk.kept[key]
         return run
 
     # -- anything else -------------------------------------------------------
@@ -184,6 +223,8 @@ class Task:
                 raise _cut_short(reply, group, len(answers))
         for run in self._runs:
             run.must_have_seen_its_maps()
+        for trial in self.trials_made:
+            trial.must_have_done_well()
 
 
 def _answers_in(reply: Any) -> list[dict[str, Any]]:

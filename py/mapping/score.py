@@ -65,6 +65,11 @@ class Score:
         """Share of the occupied cells that have nothing real near, 0 to 100; 0 if none are."""
         return 100.0 * len(self.wrong_walls) / max(1, self.occupied)
 
+    @property
+    def wrong_floor_percent(self) -> float:
+        """Share of the free cells that are inside an obstacle, 0 to 100; 0 if none are."""
+        return 100.0 * len(self.wrong_floor) / max(1, self.free)
+
 
 def gap_cm(x: float, y: float, obstacles: Iterable[Rectangle]) -> float:
     """Distance [cm] from a point on the mat to the nearest obstacle or the mat's edge.

@@ -13,7 +13,7 @@ import pytest
 
 from grader.lesson import LESSONS, Lesson, TaskFolder, course, lesson_at
 from grader.marking import Performer, mark_program
-from grader.marks import text_of
+from grader.report import text_of
 
 SLUGS = ["_template", *(path.parent.name for path in sorted(LESSONS.glob("u*/lesson.json")))]
 TASKS = [

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from grader.marking import Performer, mark_program
-from grader.marks import text_of
+from grader.report import text_of
 
 CHEATS = sorted(Path(__file__).with_name("cheats").glob("*.py"))
 

@@ -1,0 +1,190 @@
+"""Runs that are all reported: figures held against limits, points, why each stopped."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from grader.report import text_of
+from judged import failed, marked, statuses
+
+CHECK = """
+from grader import check, scoring
+
+POINTS = scoring("A point for each bump.", lambda run, drawn: run.bumps, of=1)
+
+def judge(task, world):
+    for trial in task.trials(world, seeds=(1, 2), seconds=9, scored=POINTS, mistakes=[
+        ("it drives the wrong way", lambda run: run.pose_at(9)[1] < 40, 1),
+    ]):
+        trial.known(at_most=0.1).took(at_most=5).drove(at_most=25).bumps()
+        trial.figure("x", lambda run, drawn: run.pose_at(9)[0], "cm", at_least=90, digits=0)
+        trial.says_why(after="stops:")
+
+@check("A wall", hint=0)
+def wall(task):
+    judge(task, "wall-ahead")
+
+@check("A slab")
+def slab(task):
+    judge(task, "slab-ahead")
+"""
+"""Both worlds have the robot at (100, 40), facing up."""
+
+WALL = {
+    "name": "slab-ahead",
+    "title": "Slab ahead",
+    "description": "A slab across the mat.",
+    "start": {"x": 100, "y": 40, "heading": 0},
+    "obstacles": [{"x": 50, "y": 60, "width": 100, "height": 20, "name": "slab"}],
+}
+
+MAP = (
+    "from bugbot import *\n"
+    "scan()\n"
+    'draw("free", [(102.5, 52.5)], "blue", "squares", 5)\n'
+    'draw("occupied", [], "black", "squares", 5)\n'
+)
+
+
+def mark_of(program: str, check: str = CHECK) -> dict[str, Any]:
+    return marked(check, program, worlds={"slab-ahead": WALL})
+
+
+def figures(result: dict[str, Any]) -> dict[str, tuple[Any, Any]]:
+    return {each["name"]: (each["value"], each["met"]) for each in result["figures"]}
+
+
+def test_each_run_is_reported_with_its_figures_and_the_score_is_their_mean() -> None:
+    mark = mark_of(f"{MAP}forward(100, 20)\nprint('stops: nothing left')\n")
+    assert mark["passed"], text_of(mark)
+    results = mark["results"]
+    named = [(each["check"], each["world"]["title"], each["seed"]) for each in results]
+    assert named == [
+        (0, "A wall ahead", 1),
+        (0, "A wall ahead", 2),
+        (1, "Slab ahead", 1),
+        (1, "Slab ahead", 2),
+    ]
+    by_wall, by_slab = figures(results[0]), figures(results[2])
+    assert by_wall["known"] == (0.062, True)  # one of 1,600 cells
+    assert by_wall["bumps"] == (0, None)
+    assert by_wall["distance"] == (pytest.approx(20, abs=3), True)
+    assert by_slab["bumps"] == (1, None)
+    assert {each["why"] for each in results} == {"nothing left"}
+    assert {each["ended"] for each in results} == {"finished"}
+    assert all(each["passed"] for each in results)
+    assert [each["points"] for each in results] == [0, 0, 1, 1]
+    assert mark["score"] == {"value": 0.5, "of": 1, "how": "A point for each bump."}
+
+
+def test_all_figures_are_taken_though_one_is_outside_its_limit() -> None:
+    mark = mark_of(f"{MAP}forward(100, 30)\n")
+    check = failed(mark)
+    assert statuses(mark) == ["failed", "failed"]
+    assert check["expected"] == "a path of at most 25 cm"
+    assert check["got"].endswith("cm (seed 1)")
+    assert check["where"]["job"] == mark["results"][0]["job"]
+    found = figures(mark["results"][0])
+    assert found["distance"][1] is False
+    assert found["x"] == (pytest.approx(100, abs=3), True)
+    assert mark["results"][0]["why"] == "its last line was reached"
+    assert not any(each["passed"] for each in mark["results"])
+
+
+@pytest.mark.parametrize(
+    ("program", "expected", "likely"),
+    [
+        (f"{MAP}print('stops: x')\ndrive(0, 100, 0)\nwait(1)\nprint('stops:  ')", None, None),
+        (f"{MAP}print('stop: nothing left')", "a printed line that says why it stops", None),
+        (
+            f"{MAP}print('stops: x')\ndrive(0, -100, 0)\nwait(2)",
+            "x: at least 90 cm",
+            None,
+        ),
+        (
+            f"{MAP}print('stops: x')\nbackward(100, 26)",
+            "a path of at most 25 cm",
+            "it drives the wrong way",
+        ),
+    ],
+)
+def test_what_is_not_met_is_the_checks_failure_with_the_slip(
+    program: str, expected: str | None, likely: str | None
+) -> None:
+    mark = mark_of(program)
+    if expected is None:
+        assert mark["passed"], text_of(mark)
+        return
+    assert failed(mark)["expected"].startswith(expected)
+    assert failed(mark)["likely"] == likely
+
+
+def test_a_run_cut_short_keeps_its_figures_and_is_worth_nothing() -> None:
+    mark = mark_of(f"{MAP}while True:\n    wait(1)\n")
+    result = mark["results"][0]
+    assert (result["ended"], result["points"], result["passed"]) == ("limit", 0, False)
+    assert "9 simulated seconds" in result["why"]
+    assert figures(result)["known"] == (0.062, True)
+    assert figures(result)["time"] == (9, False)
+    assert mark["score"]["value"] == 0
+    # The same trouble of the whole program is told once.
+    assert statuses(mark) == ["failed", "not run"]
+
+
+def test_a_run_without_a_map_or_a_record_has_no_figures_of_it() -> None:
+    mark = mark_of("from bugbot import *\nprint('stops: x')\n")
+    assert failed(mark)["expected"].startswith('a layer named "free"')
+    assert figures(mark["results"][0])["known"] == (None, False)
+    assert figures(mark["results"][0])["time"] == (0, True)
+    assert figures(mark["results"][0])["x"] == (None, False)
+
+
+def test_a_map_of_cells_that_no_beam_has_seen_is_worth_nothing() -> None:
+    behind = [(2.5, 2.5 + 5 * row) for row in range(30)]
+    drawn = MAP.replace("[(102.5, 52.5)]", repr(behind))
+    check = CHECK.replace("run.bumps", "1").replace("at_most=0.1", "at_most=50")
+    mark = mark_of(f"{drawn}print('stops: x')\n", check)
+    assert failed(mark)["expected"].startswith("a map only of cells that a beam")
+    assert [each["points"] for each in mark["results"]] == [0, 0, 0, 0]
+
+
+def test_a_figure_is_never_shown_as_the_limit_that_it_misses() -> None:
+    check = CHECK.replace("at_most=0.1", "at_least=0.1")
+    known = mark_of(f"{MAP}print('stops: x')\n", check)["results"][0]["figures"][0]
+    assert (known["value"], known["digits"], known["met"]) == (0.062, 2, False)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("seeds=(1, 2)", "seeds=(1, 1)", "task.trials(…) wants different seeds; it got [1, 1]"),
+        ("of=1", "of=0", "scoring(how, points, of=…) wants a function"),
+        ("scored=POINTS", 'scored=scoring("X", lambda *_: 1)', "scored in different ways"),
+        ("run.bumps, of", "float('nan'), of", "no number"),
+        ('"A point for each bump."', '""', "wants words for the learner"),
+    ],
+)
+def test_an_author_is_told_what_is_wrong(old: str, new: str, said: str) -> None:
+    mark = mark_of(f"{MAP}print('stops: x')\n", CHECK.replace(old, new))
+    assert said in mark["ours"]
+    assert (mark["results"], mark["score"]) == ([], None)
+
+
+def test_the_command_line_has_them_in_a_table() -> None:
+    rows = text_of(mark_of(f"{MAP}forward(100, 30)\nprint('stops: bored')\n")).splitlines()
+    (head,) = (row for row in rows if row.lstrip().startswith("mat"))
+    assert head.split("  ")[1] == "mat"
+    assert "known [%] <= 0.1" in head
+    assert "distance [cm] <= 25" in head
+    mats = [row for row in rows if "bored" in row]
+    assert len(mats) == 4
+    assert mats[0].split()[:4] == ["A", "wall", "ahead", "1"]
+    assert "*" in mats[0]
+    assert "  * outside its limit" in rows
+    assert any(row.startswith("  Score: 0.5 of 1. A point for each bump.") for row in rows)
+
+
+def test_a_refused_program_has_no_results() -> None:
+    mark = mark_of("import gc\n")
+    assert (mark["results"], mark["score"]) == ([], None)
