@@ -33,6 +33,7 @@ How marking works. A learner's program is never run in the interpreter that judg
     runs.py       a run: its path, its chart, its prints
     endings.py    how it ended
     trials.py     runs that are all reported, whatever comes of them
+    results.py    the report of each, and the score of all
     maps.py       the map a run has drawn
     scans.py      what the reference makes of a run's scans
     traces.py     a trace from elsewhere, checked row by row

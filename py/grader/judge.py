@@ -19,8 +19,8 @@ from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramF
 from grader.jobs import Desk
 from grader.marks import NOT_RUN, PASSED, entry, failed_entry, mark_of
 from grader.refusal import refusal
+from grader.results import result_of, score_of
 from grader.task import Task
-from grader.trials import score_of
 
 __all__ = ["step"]
 
@@ -72,7 +72,7 @@ def step(
             return {"jobs": jobs}
         entries = _judged(checks, states)
         trials = [(place, each) for place, (at, _) in enumerate(states) for each in at.trials_made]
-        results = [trial.to_json(place) for place, trial in trials]
+        results = [result_of(trial, place) for place, trial in trials]
         score = score_of([trial for _, trial in trials])
         return {"mark": mark_of(slug, task, entries, results=results, score=score)}
     except Exception as error:

@@ -13,7 +13,9 @@ May import: the standard library, `grader.failures`.
                   "figures": [{"name", "value": null | number, "unit", "digits",
                                "at_least": null | number, "at_most": null | number,
                                "met": null | bool}, …],
-                  "points": null | number, "passed"}, …],
+                  "points": null | number, "passed",
+                  "map": null | {"across", "cell_cm", "cells": a letter each (`grader.results`)},
+                  "path": [[x, y], …]}, …],
      "score": null | {"value", "of", "how": what counts, in words},
      "ours": null | text}
 

@@ -18,18 +18,20 @@ from grader.failures import AuthorError, CheckFailed, ProgramFailed
 from grader.maps import Map
 from grader.runs import Run
 
-__all__ = ["Trial", "score_of"]
+__all__ = ["Trial"]
 
 _NO_LIMIT = float("inf")
 _MOST_DIGITS = 3
-_LONGEST_WHY = 200
 
 
 class Trial:
     """One of a check's runs. Its methods return the trial, and are the figures' order.
 
-    run   the run itself, for values: `grader.runs.Run`
-    seed  of its noise
+    run      the run itself, for values: `grader.runs.Run`
+    seed     of its noise
+    layers   those that hold its map: {"free": name, "occupied": name}
+    drawn    the map; None if there is none to look at
+    figures  as a mark has them, in the order they were asked for
     """
 
     def __init__(
@@ -37,17 +39,17 @@ class Trial:
     ) -> None:
         self.run = run
         self.seed: int = run.place["seed"]
+        self.layers = layers
+        self.figures: list[dict[str, Any]] = []
         self.scoring = scored
-        self._layers = layers
         self._alone = alone
         # Slips are looked for once, in the failure that is told: each look makes maps.
         self._plain = run.with_mistakes(())
         self._why: str | None = None
-        self._figures: list[dict[str, Any]] = []
         self._failures: list[CheckFailed] = []
         if run.ending.trouble is not None:
             self._failures.append(run.ending.trouble)
-        self._drawn = self._map_drawn()
+        self.drawn = self._map_drawn()
 
     # -- figures, and the limits they have to keep -----------------------------------
 
@@ -114,13 +116,13 @@ class Trial:
         digits  after the point
         """
         found: float | None = None
-        if self._drawn is not None:
+        if self.drawn is not None:
             try:
-                found = float(value(self._plain, self._drawn))
+                found = float(value(self._plain, self.drawn))
             except CheckFailed as failure:
                 self._failures.append(failure)
         self._add(name, found, unit, at_least, at_most, digits)
-        if found is not None and self._figures[-1]["met"] is False:
+        if found is not None and self.figures[-1]["met"] is False:
             least = "" if at_least is None else f"at least {at_least:g} {unit}"
             most = "" if at_most is None else f"at most {at_most:g} {unit}"
             words = " and ".join(each.strip() for each in (least, most) if each)
@@ -161,28 +163,26 @@ class Trial:
         if self.scoring is None:
             return None
         sound = self.run.ending.kind == "finished" and self._unseen is None
-        if not sound or self._drawn is None:
+        if not sound or self.drawn is None:
             return 0.0
         try:
-            points = float(self.scoring.points(self._plain, self._drawn))
+            points = float(self.scoring.points(self._plain, self.drawn))
         except CheckFailed:
             return 0.0
         if points != points:
             raise AuthorError("the points of a run are no number (NaN)")
         return round(min(max(points, 0.0), self.scoring.of), 1)
 
-    def to_json(self, check: int) -> dict[str, Any]:
-        """The trial as a mark reports it; `check` is the place of its check in the mark."""
-        return {
-            "check": check,
-            **self.run.place,
-            "layers": self._layers,
-            "ended": self.run.ending.kind,
-            "why": self._reason()[:_LONGEST_WHY],
-            "figures": self._figures,
-            "points": self.points,
-            "passed": not self.failures,
-        }
+    @property
+    def why(self) -> str:
+        """Why the run stopped, as the program or whatever ended it says."""
+        trouble = self.run.ending.trouble
+        if trouble is not None:
+            return trouble.got
+        if self._why is not None:
+            return self._why
+        printed = self.run.console.strip().splitlines()
+        return printed[-1] if printed else "its last line was reached"
 
     # -- inside ------------------------------------------------------------------
 
@@ -191,7 +191,7 @@ class Trial:
         if not self.run.is_honest:
             return None
         try:
-            return self._plain.map(None, self._layers["free"], self._layers["occupied"])
+            return self._plain.map(None, self.layers["free"], self.layers["occupied"])
         except CheckFailed as failure:
             self._failures.append(failure)
             return None
@@ -200,8 +200,8 @@ class Trial:
     def _unseen(self) -> CheckFailed | None:
         """What is wrong with the map's evidence."""
         try:
-            if self._drawn is not None:
-                self._drawn.must_have_been_seen()
+            if self.drawn is not None:
+                self.drawn.must_have_been_seen()
         except CheckFailed as failure:
             return failure
         return None
@@ -214,7 +214,7 @@ class Trial:
         at_least: float | None,
         at_most: float | None,
     ) -> Trial:
-        drawn = self._drawn
+        drawn = self.drawn
         if drawn is None:
             return self._add(name, None, "%", at_least, at_most, 1)
         self._expect(lambda _: expectation(drawn))
@@ -249,7 +249,7 @@ class Trial:
             # 84.96 must not be shown as the 85.0 that it fails to reach.
             while digits < _MOST_DIGITS and round(value, digits) in (at_least, at_most):
                 digits += 1
-        self._figures.append(
+        self.figures.append(
             {
                 "name": name,
                 "value": None if value is None else round(value, _MOST_DIGITS),
@@ -261,31 +261,6 @@ class Trial:
             }
         )
         return self
-
-    def _reason(self) -> str:
-        trouble = self.run.ending.trouble
-        if trouble is not None:
-            return trouble.got
-        if self._why is not None:
-            return self._why
-        printed = self.run.console.strip().splitlines()
-        return printed[-1] if printed else "its last line was reached"
-
-
-def score_of(trials: list[Trial]) -> dict[str, Any] | None:
-    """The score of all trials that are worth something, as a mark has it."""
-    found = {trial.scoring for trial in trials if trial.scoring is not None}
-    if not found:
-        return None
-    if len(found) > 1:
-        raise AuthorError("its trials are scored in different ways: one scoring(…) is enough")
-    (scoring,) = found
-    points = [trial.points for trial in trials if trial.points is not None]
-    return {
-        "value": round(sum(points) / len(points), 1),
-        "of": scoring.of,
-        "how": scoring.how,
-    }
 
 
 def _or(limit: float | None, otherwise: float) -> float:

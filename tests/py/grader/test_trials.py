@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-from grader.report import text_of
 from judged import failed, marked, statuses
+
+from grader.report import text_of
 
 CHECK = """
 from grader import check, scoring
@@ -78,6 +79,21 @@ def test_each_run_is_reported_with_its_figures_and_the_score_is_their_mean() -> 
     assert mark["score"] == {"value": 0.5, "of": 1, "how": "A point for each bump."}
 
 
+def test_each_result_has_its_map_with_what_is_wrong_in_it_and_its_path() -> None:
+    drawn = MAP.replace("[(102.5, 52.5)]", "[(102.5, 52.5), (102.5, 62.5)]")
+    drawn = drawn.replace('"occupied", []', '"occupied", [(97.5, 57.5), (97.5, 47.5)]')
+    result = mark_of(f"{drawn}forward(100, 10)\n")["results"][2]
+    found = result["map"]
+    assert (found["across"], found["cell_cm"], len(found["cells"])) == (40, 5, 1600)
+    rows = [found["cells"][start : start + 40] for start in range(0, 1600, 40)]
+    assert rows[9] == f"{'?' * 19}!{'?' * 20}"  # (97.5, 47.5), the slab begins at 60
+    assert rows[10] == f"{'?' * 20}.{'?' * 19}"
+    assert rows[11] == f"{'?' * 19}#{'?' * 20}"
+    assert rows[12] == f"{'?' * 20}x{'?' * 19}"
+    assert result["path"][0] == [100, 40]
+    assert result["path"][-1] == [100, pytest.approx(50, abs=1)]
+
+
 def test_all_figures_are_taken_though_one_is_outside_its_limit() -> None:
     mark = mark_of(f"{MAP}forward(100, 30)\n")
     check = failed(mark)
@@ -138,6 +154,7 @@ def test_a_run_without_a_map_or_a_record_has_no_figures_of_it() -> None:
     assert figures(mark["results"][0])["known"] == (None, False)
     assert figures(mark["results"][0])["time"] == (0, True)
     assert figures(mark["results"][0])["x"] == (None, False)
+    assert mark["results"][0]["map"] is None
 
 
 def test_a_map_of_cells_that_no_beam_has_seen_is_worth_nothing() -> None:
