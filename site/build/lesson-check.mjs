@@ -1,11 +1,13 @@
 /**
- * npm run lesson:check [-- SLUG…]: the standing check of these lessons, or of the whole course.
+ * npm run lesson:check [-- SLUG… --seeds N]: the standing check of these lessons, or of the whole
+ * course; a solution must pass with N noises (20).
  * First the tasks, in Python: starters fail, solutions pass, wrong attempts earn their message. Then
  * the pages: every directive, figure and link. Ends with a fault if either finds one.
  */
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import { delimiter, join } from "node:path";
+import { parseArgs } from "node:util";
 import { ROOT } from "./files.mjs";
 import { ensureInstalled, fail } from "./install.mjs";
 
@@ -13,7 +15,11 @@ ensureInstalled();
 const { ensureVenv, venvTool } = await import("../../tests/setup.mjs");
 ensureVenv();
 
-const slugs = process.argv.slice(2);
+const { values, positionals: slugs } = parseArgs({
+  allowPositionals: true,
+  options: { seeds: { type: "string" } },
+});
+const seeds = values.seeds === undefined ? [] : ["--seeds", values.seeds];
 for (const slug of slugs) {
   if (!existsSync(join(ROOT, "lessons", slug, "lesson.json"))) {
     fail(`There is no lesson "${slug}".`, "name a folder of lessons/ that has a lesson.json.");
@@ -21,7 +27,9 @@ for (const slug of slugs) {
 }
 const { PYTHONPATH } = process.env;
 const path = [join(ROOT, "py"), ...(PYTHONPATH ? [PYTHONPATH] : [])].join(delimiter);
-const tasks = check(venvTool("python"), ["-m", "grader", "check", ...slugs], { PYTHONPATH: path });
+const tasks = check(venvTool("python"), ["-m", "grader", "check", ...slugs, ...seeds], {
+  PYTHONPATH: path,
+});
 
 /** @type {string[]} */
 const course = JSON.parse(readFileSync(join(ROOT, "lessons/course.json"), "utf8")).lessons;

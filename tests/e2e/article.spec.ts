@@ -1,10 +1,10 @@
 /** The article keeps its word: its figures come out of its programs, in the reader's own browser. */
 import { gzipSync } from "node:zlib";
-import AxeBuilder from "@axe-core/playwright";
 import type { Locator, Page } from "@playwright/test";
 import type { Outcome } from "../../site/src/trace/events.ts";
 import { readTraceFile } from "../../site/src/trace/file.ts";
 import { outcomeOf } from "../../site/src/trace/outcome.ts";
+import { expectAccess } from "./access.ts";
 import { figuresOf, isRounded, Runs } from "./article-claims.ts";
 import { expect, test } from "./fixtures.ts";
 
@@ -182,20 +182,5 @@ test("no rule of WCAG that axe knows is broken, in either theme", async ({ page 
   await page.goto(ARTICLE);
   await expect(page.getByRole("textbox", { name: "Program" })).toHaveCount(4);
   // One lab stands for the four: they have stories of their own.
-  const found = new AxeBuilder({ page })
-    .exclude("#lab-demo-2")
-    .exclude("#lab-demo-3")
-    .exclude("#lab-demo-4");
-  const colours = page.getByRole("combobox", { name: "Colours" });
-  const told = async (): Promise<string[]> =>
-    (await found.analyze()).violations.flatMap(({ id, nodes }) =>
-      nodes.map(({ target, failureSummary }) => `${id} at ${target.join(" ")}: ${failureSummary}`),
-    );
-  await colours.selectOption("Light");
-  found.withTags(["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]);
-  expect(await told()).toEqual([]);
-  // Nothing but the colours is another in the dark.
-  await colours.selectOption("Dark");
-  found.withRules(["color-contrast"]);
-  expect(await told()).toEqual([]);
+  await expectAccess(page, ["#lab-demo-2", "#lab-demo-3", "#lab-demo-4"]);
 });

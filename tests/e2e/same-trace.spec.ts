@@ -53,16 +53,16 @@ test("native and browser traces are equal", async ({ app, page }) => {
   test.slow();
   const cases = [...demos, ...ready];
   expect(cases.length).toBeGreaterThanOrEqual(10);
+  await app.openLab();
   for (const one of cases) {
     await test.step(`${one.file.slice(ROOT.length)} on ${one.world}`, async () => {
-      await app.openLab(`world=${one.world}&seed=${one.seed}`);
       const browser = await page.locator("bugbot-lab").evaluate(
-        async (lab: HTMLElement & Lab, program) => {
-          lab.program = program;
+        async (lab: HTMLElement & Lab, { world, seed, program }) => {
+          Object.assign(lab, { world, seed, program });
           await lab.run();
           return lab.traceText();
         },
-        readFileSync(one.file, "utf8"),
+        { ...one, program: readFileSync(one.file, "utf8") },
       );
       const expected = nativeTrace(one).trimEnd().split("\n");
       const got = (browser ?? "").trimEnd().split("\n");
@@ -76,6 +76,8 @@ test("native and browser traces are equal", async ({ app, page }) => {
 });
 
 interface Lab {
+  world: string;
+  seed: number;
   program: string;
   run(): Promise<unknown>;
   traceText(): string | null;

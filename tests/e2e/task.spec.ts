@@ -1,5 +1,5 @@
 /** A task of a lesson, from the starter to the pass, and everything that can go wrong on the way. */
-import AxeBuilder from "@axe-core/playwright";
+import { expectAccess } from "./access.ts";
 import { expect, test } from "./fixtures.ts";
 import { Task } from "./task-page.ts";
 import { CELL_OF, DRIVE, openTinyLesson } from "./tiny-lesson.ts";
@@ -171,32 +171,22 @@ test("a fault of ours is told as ours", { tag: "@once" }, async ({ page }) => {
   await expect(task.root.getByText("ZeroDivisionError")).toBeVisible();
 });
 
-for (const theme of ["Light", "Dark"]) {
-  const tag = theme === "Dark" ? "@once" : [];
-  test(`no rule of WCAG is broken, ${theme.toLowerCase()}`, { tag }, async ({ page }) => {
-    const clean = async (): Promise<void> => {
-      const tags = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
-      const { violations } = await new AxeBuilder({ page }).withTags(tags).analyze();
-      const told = violations.map(({ id, nodes }) => `${id} at ${nodes.map((n) => n.target)}`);
-      expect(told).toEqual([]);
-    };
-    await openTinyLesson(page);
-    await page.getByRole("combobox", { name: "Colours" }).selectOption(theme);
-    const task = new Task(page, "The cell of a point");
-    await expect(task.check).toBeVisible();
-    await clean();
-    await task.marked(CELL_OF.swapped);
-    await task.button("Next hint").click();
-    await task.write(CELL_OF.starter);
-    await task.button("Show a solution").click();
-    await clean();
-    await task.button("Show it all the same").click();
-    await expect(page.getByRole("dialog")).toBeVisible();
-    await clean();
-    await page.keyboard.press("Escape");
-    await task.marked(CELL_OF.solution);
-    await clean();
-    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-    expect(wide, "nothing is wider than the screen").toBeLessThanOrEqual(0);
-  });
-}
+test("no rule of WCAG is broken, in either theme", async ({ page }) => {
+  await openTinyLesson(page);
+  const task = new Task(page, "The cell of a point");
+  await expect(task.check).toBeVisible();
+  await expectAccess(page);
+  await task.marked(CELL_OF.swapped);
+  await task.button("Next hint").click();
+  await task.write(CELL_OF.starter);
+  await task.button("Show a solution").click();
+  await expectAccess(page);
+  await task.button("Show it all the same").click();
+  await expect(page.getByRole("dialog")).toBeVisible();
+  await expectAccess(page);
+  await page.keyboard.press("Escape");
+  await task.marked(CELL_OF.solution);
+  await expectAccess(page);
+  const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  expect(wide, "nothing is wider than the screen").toBeLessThanOrEqual(0);
+});

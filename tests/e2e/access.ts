@@ -1,0 +1,25 @@
+/** What axe knows of WCAG 2.2 AA, asked of the page as it stands, in both themes. */
+import AxeBuilder from "@axe-core/playwright";
+import type { Page } from "@playwright/test";
+import { expect } from "./fixtures.ts";
+
+const WCAG = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
+
+/**
+ * The page breaks no rule. Between the themes only the colours differ, so only they are looked at a
+ * second time. `without` names parts that another story looks at.
+ */
+export async function expectAccess(page: Page, without: readonly string[] = []): Promise<void> {
+  const violations = async (choose: (look: AxeBuilder) => AxeBuilder): Promise<string[]> => {
+    const look = choose(new AxeBuilder({ page }));
+    for (const part of without) look.exclude(part);
+    return (await look.analyze()).violations.flatMap(({ id, nodes }) =>
+      nodes.map(({ target, failureSummary }) => `${id} at ${target.join(" ")}: ${failureSummary}`),
+    );
+  };
+  await page.emulateMedia({ colorScheme: "light" });
+  expect(await violations((look) => look.withTags(WCAG))).toEqual([]);
+  await page.emulateMedia({ colorScheme: "dark" });
+  const colours = await violations((look) => look.withRules(["color-contrast"]));
+  expect(colours, "in the dark").toEqual([]);
+}
