@@ -232,11 +232,11 @@ def position() -> tuple[float, float]:
     """Where the robot is, seen from where it started.
 
     Returns (x, y) in cm: x to the right on the mat, y up the mat, (0, 0) at the start. It comes
-    from a camera above the mat and is exact.
+    from a camera above the mat and is exact; on a mat without a camera it is an error.
 
     >>> x, y = position()
     """
-    sim = active("position()").sim
+    sim = active("position()").seen_from_above("position()")
     return round(sim.x - sim.start_x, _DECIMALS), round(sim.y - sim.start_y, _DECIMALS)
 
 
@@ -244,11 +244,12 @@ def heading() -> float:
     """Which way the robot faces.
 
     Returns degrees from 0 to 360, clockwise from straight up the mat: 90 is to the right. It
-    comes from a camera above the mat and is exact.
+    comes from a camera above the mat and is exact; on a mat without a camera it is an error.
 
     >>> facing = heading()
     """
-    return round(active("heading()").sim.heading, _DECIMALS) % 360.0
+    sim = active("heading()").seen_from_above("heading()")
+    return round(sim.heading, _DECIMALS) % 360.0
 
 
 def odometry() -> tuple[float, float, float]:

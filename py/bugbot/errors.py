@@ -6,6 +6,7 @@ May import: the standard library only.
     ├── WrongTypeError        (TypeError)    an argument of the wrong kind
     ├── WrongValueError       (ValueError)   the right kind, but out of range
     ├── NoRobotError          (RuntimeError) a robot's call outside a run
+    ├── NoCameraError         (RuntimeError) position() or heading() in a world without a camera
     ├── NoInputError          (EOFError)     input() in a place without a keyboard
     ├── NoThreadError         (RuntimeError) a thread in a place without threads
     └── WorldError            (ValueError)   a world that is unknown or broken
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "BugbotError",
+    "NoCameraError",
     "NoInputError",
     "NoRobotError",
     "NoThreadError",
@@ -53,6 +55,10 @@ class WrongValueError(BugbotError, ValueError):
 
 class NoRobotError(BugbotError, RuntimeError):
     """A robot's call was made while no run was going on."""
+
+
+class NoCameraError(BugbotError, RuntimeError):
+    """The program asked for the exact pose, and no camera watches the mat."""
 
 
 class NoInputError(BugbotError, EOFError):

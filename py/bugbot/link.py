@@ -17,7 +17,7 @@ from contextlib import contextmanager
 from math import copysign, tau
 from typing import Any, Protocol
 
-from bugbot.errors import NoRobotError
+from bugbot.errors import NoCameraError, NoRobotError
 from bugbot.sim.motion import speeds
 from bugbot.sim.simulator import Simulator
 from bugbot.trace import Trace
@@ -54,6 +54,15 @@ class Link:
     def now(self) -> float:
         """Seconds since the program started."""
         return self.sim.t
+
+    def seen_from_above(self, call: str) -> Simulator:
+        """The simulator, asked for its true pose; NoCameraError if nothing watches the mat."""
+        if not self.sim.camera:
+            raise NoCameraError(
+                f"{call} needs a camera above the mat, and this mat has none; "
+                "odometry() is all that the robot has"
+            )
+        return self.sim
 
     def check(self) -> None:
         """End the run here if it must end."""

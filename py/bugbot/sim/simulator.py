@@ -40,6 +40,7 @@ class Simulator:
     t        seconds since the program started
     x, y     the centre, on the mat [cm]
     heading  degrees clockwise from up the mat, 0 to 360
+    camera   whether a camera tells the program its true pose
     """
 
     def __init__(self, world: World, seed: int, trace: Trace) -> None:
@@ -47,6 +48,7 @@ class Simulator:
         self.x = self.start_x = stored(world.start.x)
         self.y = self.start_y = stored(world.start.y)
         self.heading = wrap_heading(stored(world.start.heading))
+        self.camera = world.camera
         self.odometry = Odometry(self.heading, seed)
         self.ever_driven = False
         self._boxes = boxes_of(world)

@@ -10,6 +10,8 @@ A world's file holds exactly what `World` holds:
     obstacles    a list of {x, y, width, height, name}: axis-aligned rectangles by their
                  lower left corner [cm], with the word for each ("post", "shelf")
     start        {x, y, heading} of the robot [cm, degrees clockwise from up the mat]
+    camera       may be left out: false if no camera watches the mat, so that position() and
+                 heading() are refused and odometry() is all that a program has
 """
 
 from __future__ import annotations
@@ -60,23 +62,29 @@ class Start:
 
 @dataclass(frozen=True, slots=True)
 class World:
-    """A mat with its obstacles and the robot's start."""
+    """A mat with its obstacles, the robot's start, and usually a camera above."""
 
     name: str
     title: str
     description: str
     obstacles: tuple[Obstacle, ...]
     start: Start
+    camera: bool = True
 
     def to_dict(self) -> dict[str, Any]:
         """The world as its JSON file holds it."""
-        return {**asdict(self), "obstacles": [asdict(each) for each in self.obstacles]}
+        data = {**asdict(self), "obstacles": [asdict(each) for each in self.obstacles]}
+        if self.camera:
+            del data["camera"]  # as nearly every world, and as files written before it could be
+        return data
 
     @classmethod
     def from_dict(cls, data: object, source: str = "world") -> World:
         """Check the data of a JSON file; WorldError names `source`, the field and the remedy."""
         check = _Checker(source)
-        fields = check.fields(data, "", ("name", "title", "description", "obstacles", "start"))
+        fields = check.fields(
+            data, "", ("name", "title", "description", "obstacles", "start"), ("camera",)
+        )
         words = [check.text(fields[key], key) for key in ("name", "title", "description")]
         if not isinstance(fields["obstacles"], list):
             check.refuse("obstacles", "wants a list of rectangles", fields["obstacles"])
@@ -85,7 +93,10 @@ class World:
             for index, each in enumerate(fields["obstacles"])
         )
         start = check.start(fields["start"], obstacles)
-        return cls(words[0], words[1], words[2], obstacles, start)
+        camera = fields.get("camera", True)
+        if not isinstance(camera, bool):
+            check.refuse("camera", "wants true or false", camera)
+        return cls(words[0], words[1], words[2], obstacles, start, camera)
 
 
 def names() -> list[str]:
@@ -137,18 +148,20 @@ class _Checker:
     def refuse(self, field: str, wants: str, value: object) -> NoReturn:
         raise WorldError(f"{self.source}: {field or 'the world'} {wants}; it got {got(value)}")
 
-    def fields(self, data: object, at: str, wanted: tuple[str, ...]) -> dict[str, Any]:
+    def fields(
+        self, data: object, at: str, wanted: tuple[str, ...], allowed: tuple[str, ...] = ()
+    ) -> dict[str, Any]:
         if not isinstance(data, dict):
             self.refuse(at, f"wants an object with {', '.join(wanted)}", data)
         missing = [key for key in wanted if key not in data]
-        strange = [str(key) for key in data if key not in wanted]
+        strange = [str(key) for key in data if key not in (*wanted, *allowed)]
         place = f"{at}." if at else ""
         if missing:
             raise WorldError(f"{self.source}: {place}{missing[0]} is missing; add it")
         if strange:
             raise WorldError(
                 f"{self.source}: {place}{strange[0]} is not a field here; "
-                f"the fields are {', '.join(wanted)}"
+                f"the fields are {', '.join((*wanted, *allowed))}"
             )
         return data
 

@@ -144,6 +144,8 @@ export interface World {
   description: string;
   obstacles: readonly Obstacle[];
   start: { x: number; y: number; heading: number };
+  /** false: no camera tells the program the robot's pose; left out where there is one. */
+  camera?: boolean;
 }
 
 export interface Header {

@@ -1,6 +1,7 @@
 """Every call of the robot, used rightly; `test_arguments.py` has the wrong uses."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -30,7 +31,7 @@ from bugbot import (
     turn,
     wait,
 )
-from bugbot.errors import NoRobotError
+from bugbot.errors import NoCameraError, NoRobotError
 from bugbot.link import Link, connected
 from bugbot.worlds import World
 
@@ -160,6 +161,23 @@ def test_position_counts_from_the_start_along_the_mat(
         x, y, facing = odometry()
         assert (x, y) == pytest.approx((20, 0), abs=2)
         assert facing == pytest.approx(90, abs=1)
+
+
+@pytest.mark.parametrize(("call", "words"), [(position, "position()"), (heading, "heading()")])
+def test_without_a_camera_the_exact_pose_is_refused_and_odometry_is_not(
+    make_world: Callable[..., World],
+    make_link: Callable[..., Link],
+    call: Callable[[], Any],
+    words: str,
+) -> None:
+    with connected(make_link(replace(make_world(at=(50, 60, 90)), camera=False))):
+        with pytest.raises(NoCameraError) as refusal:
+            call()
+        assert str(refusal.value) == (
+            f"{words} needs a camera above the mat, and this mat has none; "
+            "odometry() is all that the robot has"
+        )
+        assert odometry()[2] == pytest.approx(90, abs=1)
 
 
 def test_battery_is_full_at_the_start(robot: Link) -> None:

@@ -132,9 +132,10 @@ def _with(value: Any, *path: Any) -> dict[str, Any]:
         (
             _with(1, "colour"),
             "w.json: colour is not a field here; "
-            "the fields are name, title, description, obstacles, start",
+            "the fields are name, title, description, obstacles, start, camera",
         ),
         (_with("  ", "title"), "w.json: title wants a text that is not empty; it got '  '"),
+        (_with("no", "camera"), "w.json: camera wants true or false; it got 'no'"),
         (_with(3, "name"), "w.json: name wants a text that is not empty; it got 3"),
         (_with({}, "obstacles"), "w.json: obstacles wants a list of rectangles; it got {}"),
         (
@@ -179,6 +180,14 @@ def test_a_broken_world_is_refused_by_file_field_and_remedy(data: Any, message: 
 
 def test_a_start_that_just_touches_is_allowed() -> None:
     assert World.from_dict(_with({"x": 45, "y": 40, "heading": -90}, "start")).start.heading == 270
+
+
+def test_a_world_has_a_camera_unless_it_says_not_and_says_so_only_then() -> None:
+    assert World.from_dict(GOOD).camera
+    assert "camera" not in World.from_dict(_with(True, "camera")).to_dict()
+    without = World.from_dict(_with(False, "camera"))
+    assert not without.camera
+    assert World.from_dict(without.to_dict()) == without
 
 
 def test_an_unknown_world_names_the_nearest_and_the_known() -> None:
