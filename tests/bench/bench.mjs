@@ -1,8 +1,9 @@
 /**
- * npm run bench: how fast the built site is, against yardsticks measured in the same run.
+ * npm run bench [-- NAME…]: how fast the built site is, against yardsticks measured in the same run.
  *
  * Timings on a shared machine are noisy, so what is judged is ratios: each figure stands beside its
- * yardstick, taken in turns. Prints a table and writes bench/results.json.
+ * yardstick, taken in turns. Prints a table and, unless only some measures are named (such as
+ * `stopping sliding`), writes bench/results.json.
  */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
@@ -26,7 +27,9 @@ const launch = () =>
 
 /** @type {import("./measures.mjs").Row[]} */
 const rows = [];
+const named = process.argv.slice(2);
 for (const measure of measures.ALL) {
+  if (named.length > 0 && !named.includes(measure.name)) continue;
   console.log(`measuring: ${measure.name}`);
   rows.push(...(await measure(launch, server)));
 }
@@ -43,7 +46,9 @@ for (const row of rows) {
   );
 }
 
-mkdirSync(join(ROOT, "bench"), { recursive: true });
-const machine = `${cpus().length} cores, ${cpus()[0]?.model ?? "unknown"}`;
-const results = { date: new Date().toISOString().slice(0, 10), machine, rows };
-writeFileSync(join(ROOT, "bench/results.json"), `${JSON.stringify(results, null, 2)}\n`);
+if (named.length === 0) {
+  mkdirSync(join(ROOT, "bench"), { recursive: true });
+  const machine = `${cpus().length} cores, ${cpus()[0]?.model ?? "unknown"}`;
+  const results = { date: new Date().toISOString().slice(0, 10), machine, rows };
+  writeFileSync(join(ROOT, "bench/results.json"), `${JSON.stringify(results, null, 2)}\n`);
+}

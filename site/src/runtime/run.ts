@@ -110,7 +110,7 @@ export class Run {
 }
 
 /** A spare is started once a run has lasted this long, so that a short run has the machine. */
-const LONG_RUN_MS = 600;
+const LONG_RUN_MS = 300;
 
 /** Watches over a run in real time: says when it is a long one, and when it has gone silent. */
 class Watch {
