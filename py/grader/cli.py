@@ -1,8 +1,9 @@
-"""The command line: mark a program, check a lesson or the whole course.
+"""The command line: mark a program or a class's, check a lesson or the whole course.
 
 May import: the rest of `grader`.
 
     python -m grader mark LESSON TASK FILE [--json]
+    python -m grader mark-all FOLDER [--processes N | --dask ADDRESS] [--trusted]
     python -m grader check [LESSON …] [--seeds N]
 
 Ends with 0 if the program passes or all is well, with 1 if not, with 2 for wrong usage or a
@@ -17,6 +18,7 @@ import sys
 import time
 from pathlib import Path
 
+from grader.classes.command import add_arguments, mark_all
 from grader.lesson import LESSONS, CourseError, lesson_at
 from grader.marking import Performer, mark_program
 from grader.report import text_of
@@ -33,6 +35,8 @@ def main(arguments: list[str]) -> int:
     try:
         if options.command == "mark":
             return _mark(options)
+        if options.command == "mark-all":
+            return mark_all(options)
         return _check(options)
     except CourseError as error:
         print(f"grader: {error}", file=sys.stderr)
@@ -43,12 +47,14 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m grader", description="Mark programs and check lessons."
     )
-    commands = parser.add_subparsers(dest="command", required=True, metavar="mark|check")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="mark|mark-all|check")
     mark = commands.add_parser("mark", help="mark a program")
     mark.add_argument("lesson", metavar="LESSON", help="the name of a lesson's folder")
     mark.add_argument("task", metavar="TASK", help="the name of the task")
     mark.add_argument("file", metavar="FILE", help="the program's file; - reads standard input")
     mark.add_argument("--json", action="store_true", help="print the mark as JSON, only that")
+    whole = commands.add_parser("mark-all", help="mark the files of a whole class")
+    add_arguments(whole, _count)
     check = commands.add_parser("check", help="check one lesson, or all of the course")
     check.add_argument("lesson", nargs="*", metavar="LESSON", help="the names of lessons' folders")
     check.add_argument(
@@ -57,7 +63,7 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument(
         "--processes", type=_count, default=2, help="markings done at the same time (2)"
     )
-    for each in (mark, check):
+    for each in (mark, whole, check):
         each.add_argument(
             "--lessons", type=Path, default=LESSONS, help="the folder that holds course.json"
         )

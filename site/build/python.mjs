@@ -19,6 +19,9 @@ const OUT = join(CACHE, "python");
 /** Packages under py/ that go to the browser. */
 const PACKAGES = ["bugbot", "mapping", "grader", "bridge"];
 
+/** What stays behind: marking a class's files is for an instructor's machine. */
+const STAYS = /^classes\//;
+
 /** Python run at build time: the robot's calls as data, from their own docstrings. */
 const DESCRIBE = `
 import json
@@ -81,7 +84,10 @@ function readSources() {
   const sources = {};
   for (const name of PACKAGES) {
     const folder = join(ROOT, "py", name);
-    for (const path of filesBelow(folder, (file) => /\.(py|json)$/.test(file))) {
+    for (const path of filesBelow(
+      folder,
+      (file) => /\.(py|json)$/.test(file) && !STAYS.test(file),
+    )) {
       sources[`${name}/${path}`] = readFileSync(join(folder, path), "utf8");
     }
   }
@@ -90,7 +96,9 @@ function readSources() {
 
 function inputsKey() {
   const ours = PACKAGES.flatMap((name) =>
-    filesBelow(join(ROOT, "py", name)).map((path) => join(ROOT, "py", name, path)),
+    filesBelow(join(ROOT, "py", name), (file) => !STAYS.test(file)).map((path) =>
+      join(ROOT, "py", name, path),
+    ),
   );
   const build = ["files", "numpy", "python", "snapshot"].map((name) =>
     join(ROOT, "site/build", `${name}.mjs`),

@@ -38,6 +38,7 @@ MAY_IMPORT: dict[str, tuple[str, ...]] = {
     "bugbot.__main__": ("bugbot.cli",),
     "mapping": ("bugbot.frames", "bugbot.errors", "mapping", "numpy"),
     "grader": ("bugbot", "bugbot.*", "mapping", "grader"),
+    "grader.classes.machines": ("grader", "distributed"),
     "sketch": ("bugbot.frames", "sketch"),
     "bridge": (
         *("bugbot", "bugbot.run", "bugbot.trace", "bugbot.worlds", "grader", "bridge"),

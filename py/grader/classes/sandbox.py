@@ -1,0 +1,217 @@
+"""Does a job in the locked-down Python under Node: for files that nobody vouches for.
+
+May import: the standard library, `grader.lesson`.
+
+Each job has a process of its own (site/sandbox/performer.ts): the page's own worker, with Node's
+permission model around it. Where the system offers it (Linux), the process is also told, before it
+hears of the program, that it can open nothing more: no file, no socket, no pipe. It is
+ended from here when it takes too long, tells of no simulated time passing, or says too much.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import threading
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from queue import Empty, Queue
+from time import monotonic
+from types import TracebackType
+from typing import IO, Any
+
+from grader.lesson import CourseError
+
+__all__ = ["Sandbox", "SandboxError", "prepared"]
+
+_ROOT = Path(__file__).resolve().parents[3]
+_PREPARE = _ROOT / "site" / "build" / "sandbox.mjs"
+
+_START_S = 120.0
+"""A machine that takes longer to start an interpreter has a trouble of its own [s]."""
+
+_MOST_BYTES = 100_000_000
+"""A longer answer is no answer."""
+
+_DATA_BYTES = 4_000_000_000
+"""Memory of the whole process; Python in it may have 1 GB."""
+
+_SYSTEM = ("SYSTEMROOT",)
+"""What Node needs of the environment, on Windows. The rest, passwords among it, stays here."""
+
+
+class SandboxError(Exception):
+    """The sandbox itself failed: a fault of ours or of this machine, never the learner's."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Prepared:
+    command: tuple[str, ...]
+    folder: str
+
+
+@cache
+def prepared() -> _Prepared:
+    """Have the sandbox made, if it is not; raises CourseError saying what is missing."""
+    advice = "install Node 20.19 or newer and run `npm install` in the project's folder, "
+    advice += "or mark with --trusted if you trust every file"
+    if not _PREPARE.exists():
+        raise CourseError(f"the sandbox is made by {_PREPARE}, which is not there: {advice}")
+    try:
+        done = subprocess.run(
+            ["node", str(_PREPARE)], cwd=_ROOT, stdout=subprocess.PIPE, text=True, check=False
+        )
+    except OSError as error:
+        raise CourseError(f"Node can't be started ({error.strerror}): {advice}") from None
+    if done.returncode != 0:
+        raise CourseError(f"the sandbox could not be prepared (see above): {advice}")
+    said = json.loads(done.stdout.splitlines()[-1])
+    return _Prepared(tuple(said["command"]), said["folder"])
+
+
+class Sandbox:
+    """Does jobs one after the other, as `Performer` does. Use it in a `with` block."""
+
+    def __init__(self) -> None:
+        self._prepared = prepared()
+        self._process: subprocess.Popen[bytes] | None = None
+
+    def __enter__(self) -> Sandbox:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def perform(self, job: dict[str, Any], program: str) -> dict[str, Any]:
+        """Do a job; whatever happens to its interpreter is in the result."""
+        process, lines = self._start()
+        try:
+            _expect(lines, b"ready")
+            _close_everything(process.pid, job["limits"]["real_s"])
+            assert process.stdin is not None
+            with suppress(BrokenPipeError):  # it has died: its last line says so
+                process.stdin.write(json.dumps({"job": job, "program": program}).encode())
+                process.stdin.close()
+            _expect(lines, b"begun")
+            return _answer(job, lines)
+        finally:
+            self.close()
+
+    def close(self) -> None:
+        """End the process that is at work, if one is."""
+        process, self._process = self._process, None
+        if process is None:
+            return
+        with suppress(ProcessLookupError):  # it may be gone by itself
+            if hasattr(os, "killpg"):
+                os.killpg(process.pid, signal.SIGKILL)
+            else:
+                process.kill()
+        process.wait()
+        for pipe in (process.stdin, process.stdout):
+            if pipe is not None:
+                with suppress(BrokenPipeError):
+                    pipe.close()
+
+    def _start(self) -> tuple[subprocess.Popen[bytes], Queue[bytes]]:
+        process = subprocess.Popen(
+            self._prepared.command,
+            cwd=self._prepared.folder,
+            env={name: os.environ[name] for name in _SYSTEM if name in os.environ},
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        self._process = process
+        lines: Queue[bytes] = Queue()
+        assert process.stdout is not None
+        threading.Thread(target=_read, args=(process.stdout, lines), daemon=True).start()
+        return process, lines
+
+
+def _read(pipe: IO[bytes], lines: Queue[bytes]) -> None:
+    """Hand on each line that comes; an empty one when nothing more will, or one is too long."""
+    try:
+        while True:
+            line = pipe.readline(_MOST_BYTES)
+            lines.put(line.removesuffix(b"\n") if line.endswith(b"\n") else b"")
+            if not line.endswith(b"\n"):
+                return
+    except (OSError, ValueError):  # closed meanwhile
+        lines.put(b"")
+
+
+def _expect(lines: Queue[bytes], word: bytes) -> None:
+    """Wait for a line of the start, before any of the program has run."""
+    try:
+        line = lines.get(timeout=_START_S)
+    except Empty:
+        raise SandboxError(f"the locked-down Python did not start in {_START_S:g} s") from None
+    if line != word:
+        raise SandboxError(f"the locked-down Python did not start: {_words(line)}")
+
+
+def _answer(job: dict[str, Any], lines: Queue[bytes]) -> dict[str, Any]:
+    limits = job["limits"]
+    # Calls end their own endless loops, and tell nothing of simulated time.
+    silent_s = limits["silent_s"] if job["kind"] == "run" else limits["real_s"]
+    late = monotonic() + limits["real_s"]
+    silent = monotonic() + silent_s
+    reached = 0.0
+    while True:
+        try:
+            line = lines.get(timeout=max(0.0, min(late, silent) - monotonic()))
+        except Empty:
+            return _died(job, "time")
+        word, _, rest = line.partition(b" ")
+        if word == b"beat":
+            if float(rest) > reached:
+                reached = float(rest)
+                silent = monotonic() + silent_s
+        elif word == b"result":
+            return _result(job, rest)
+        elif word == b"failed":
+            raise SandboxError(_words(rest))
+        else:
+            return _died(job, "crash")
+
+
+def _result(job: dict[str, Any], text: bytes) -> dict[str, Any]:
+    try:
+        result = json.loads(text)
+    except (ValueError, RecursionError):
+        return _died(job, "crash")
+    if not isinstance(result, dict) or result.get("id") != job["id"]:
+        return _died(job, "crash")
+    return result
+
+
+def _died(job: dict[str, Any], how: str) -> dict[str, Any]:
+    return {"id": job["id"], "trace": None, "outcome": None, "answers": None, "died": how}
+
+
+def _words(line: bytes) -> str:
+    return line.decode("utf-8", "replace")[:2000] or "it ended without a word"
+
+
+def _close_everything(pid: int, real_s: float) -> None:
+    """From now on the process can open nothing and write no file; Linux alone has the call."""
+    try:
+        from resource import RLIMIT_CPU, RLIMIT_DATA, RLIMIT_FSIZE, RLIMIT_NOFILE, prlimit
+    except ImportError:
+        return
+    seconds = int(real_s) + 60  # should nobody be left to end it; threads count each
+    limits = {RLIMIT_NOFILE: 0, RLIMIT_FSIZE: 0, RLIMIT_DATA: _DATA_BYTES, RLIMIT_CPU: seconds}
+    with suppress(OSError):  # some containers refuse; the other fences stand
+        for limit, most in limits.items():
+            prlimit(pid, limit, (most, most))
