@@ -12,11 +12,15 @@ A world's file holds exactly what `World` holds:
     start        {x, y, heading} of the robot [cm, degrees clockwise from up the mat]
     camera       may be left out: false if no camera watches the mat, so that position() and
                  heading() are refused and odometry() is all that a program has
+
+Texts are one line of at most 300 characters, and obstacles at most 200. The site's world editor
+writes such files and reads them by the same rules (site/src/page/mats/check-world.ts).
 """
 
 from __future__ import annotations
 
 import json
+import unicodedata
 from dataclasses import asdict, dataclass
 from math import hypot
 from pathlib import Path
@@ -28,6 +32,9 @@ from bugbot.frames import MAT_CM, ROBOT_RADIUS_CM, wrap_heading
 __all__ = ["Obstacle", "Start", "World", "load", "names"]
 
 _FOLDER = Path(__file__).parent
+
+_MOST_OBSTACLES = 200
+_MOST_CHARACTERS = 300
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +95,9 @@ class World:
         words = [check.text(fields[key], key) for key in ("name", "title", "description")]
         if not isinstance(fields["obstacles"], list):
             check.refuse("obstacles", "wants a list of rectangles", fields["obstacles"])
+        count = len(fields["obstacles"])
+        if count > _MOST_OBSTACLES:
+            check.refuse("obstacles", f"wants at most {_MOST_OBSTACLES} rectangles", count)
         obstacles = tuple(
             check.obstacle(each, f"obstacles[{index}]")
             for index, each in enumerate(fields["obstacles"])
@@ -118,7 +128,7 @@ def load(name_or_path: str | Path) -> World:
         if path.suffix != ".json":
             raise WorldError(_unknown(str(name_or_path), known))
     try:
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding="utf-8-sig")
     except FileNotFoundError:
         raise WorldError(f"there is no world file {path}") from None
     except (OSError, UnicodeDecodeError) as error:
@@ -127,6 +137,8 @@ def load(name_or_path: str | Path) -> World:
         data = json.loads(text)
     except ValueError as error:
         raise WorldError(f"{path} is not JSON: {error}") from None
+    except RecursionError:
+        raise WorldError(f"{path} is not a world: its lists lie too deep in one another") from None
     return World.from_dict(data, str(path))
 
 
@@ -168,6 +180,10 @@ class _Checker:
     def text(self, value: object, at: str) -> str:
         if not isinstance(value, str) or not value.strip():
             self.refuse(at, "wants a text that is not empty", value)
+        # Control characters, and halves of letters, which no file could be written with.
+        plain = all(unicodedata.category(sign) not in ("Cc", "Cs") for sign in value)
+        if not plain or len(value) > _MOST_CHARACTERS:
+            self.refuse(at, f"wants one line of at most {_MOST_CHARACTERS} characters", value)
         return value
 
     def number(self, value: object, at: str, low: float, high: float) -> float:

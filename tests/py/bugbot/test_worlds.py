@@ -223,3 +223,31 @@ def test_a_world_file_that_cannot_be_read_is_refused(tmp_path: Path) -> None:
     broken.write_text("{", encoding="utf-8")
     with pytest.raises(WorldError, match=r"broken\.json is not JSON: .*line 1"):
         worlds.load(broken)
+
+
+AGREED = Path(__file__).parents[2] / "golden" / "worlds.json"
+
+
+@pytest.mark.parametrize("case", json.loads(AGREED.read_text("utf-8")), ids=lambda c: c["what"])
+def test_worlds_are_judged_as_by_the_sites_editor(case: dict[str, Any]) -> None:
+    """tests/unit/mats.spec.ts asks the editor's rules about the same worlds."""
+    world = case["world"]
+    for field, times in case.get("times", {}).items():
+        world[field] = world[field] * times
+    if case["refused"] is None:
+        read = World.from_dict(world, "w.json")
+        assert World.from_dict(read.to_dict()) == read
+    else:
+        with pytest.raises(WorldError) as refusal:
+            World.from_dict(world, "w.json")
+        assert str(refusal.value).split("; it got")[0] == f"w.json: {case['refused']}"
+
+
+def test_a_world_file_of_a_windows_editor_and_one_that_nests_without_end(tmp_path: Path) -> None:
+    marked = tmp_path / "marked.json"
+    marked.write_text(json.dumps(GOOD), encoding="utf-8-sig")
+    assert worlds.load(marked).name == "good"
+    deep = tmp_path / "deep.json"
+    deep.write_text("[" * 100_000, encoding="utf-8")
+    with pytest.raises(WorldError, match=r"deep\.json is not a world: its lists lie too deep"):
+        worlds.load(deep)
