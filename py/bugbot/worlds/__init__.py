@@ -128,7 +128,8 @@ def load(name_or_path: str | Path) -> World:
         if path.suffix != ".json":
             raise WorldError(_unknown(str(name_or_path), known))
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        # Not "utf-8-sig", whose codec a page would have to fetch.
+        text = path.read_text(encoding="utf-8").removeprefix("\ufeff")
     except FileNotFoundError:
         raise WorldError(f"there is no world file {path}") from None
     except (OSError, UnicodeDecodeError) as error:
