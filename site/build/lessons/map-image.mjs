@@ -5,7 +5,7 @@
  * @typedef {import("./figure-value.mjs").Outcome} Outcome
  * @typedef {import("../../src/trace/events.ts").World} World
  */
-import { crc32, deflateSync } from "node:zlib";
+import { png } from "../png.mjs";
 
 const WIDTH = 1200;
 const HEIGHT = 630;
@@ -78,39 +78,5 @@ export function mapImage(outcome, world) {
   const nose = ROBOT_CM * 0.55;
   disc(x, y, ROBOT_CM, COLOURS.robot);
   disc(x + nose * Math.sin(angle), y + nose * Math.cos(angle), 1.5, COLOURS.nose);
-  return png(pixels);
-}
-
-/** @param {Uint8Array} pixels red, green and blue of each, row after row */
-function png(pixels) {
-  const rows = Buffer.alloc(HEIGHT * (1 + 3 * WIDTH));
-  for (let row = 0; row < HEIGHT; row += 1) {
-    // Each row begins with the number of its filter: 0, none.
-    rows.set(pixels.subarray(3 * WIDTH * row, 3 * WIDTH * (row + 1)), row * (1 + 3 * WIDTH) + 1);
-  }
-  const header = Buffer.alloc(13);
-  header.writeUInt32BE(WIDTH, 0);
-  header.writeUInt32BE(HEIGHT, 4);
-  // 8 bits a sample, colour without transparency.
-  header.set([8, 2], 8);
-  const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
-  const parts = [
-    chunk("IHDR", header),
-    chunk("IDAT", deflateSync(rows, { level: 9 })),
-    chunk("IEND", Buffer.alloc(0)),
-  ];
-  return Buffer.concat([signature, ...parts]);
-}
-
-/**
- * @param {string} type
- * @param {Buffer} data
- */
-function chunk(type, data) {
-  const body = Buffer.concat([Buffer.from(type, "latin1"), data]);
-  const length = Buffer.alloc(4);
-  length.writeUInt32BE(data.length);
-  const check = Buffer.alloc(4);
-  check.writeUInt32BE(crc32(body));
-  return Buffer.concat([length, body, check]);
+  return png(WIDTH, HEIGHT, pixels);
 }
