@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from enum import IntEnum
-from math import dist, floor
+from math import dist, floor, inf
 
 from bugbot.errors import WrongValueError
 from bugbot.frames import MAT_CM
@@ -28,6 +28,7 @@ __all__ = [
     "choose_goal",
     "clear_line",
     "frontier_cells",
+    "gap_to_walls",
     "known_states",
     "regions",
     "states_by_probability",
@@ -89,18 +90,21 @@ def frontier_cells(grid: Grid, states: Sequence[State]) -> set[int]:
     }
 
 
-def regions(grid: Grid, cells: Iterable[int]) -> list[list[int]]:
+def regions(grid: Grid, cells: Iterable[int], *, corners: bool = False) -> list[list[int]]:
     """Cells in groups that hang together by their sides, by flood fill; largest first.
 
-    Groups of one size come in the order of their lowest cell, and so do the cells of a
+    With `corners` cells that touch at a corner hang together too, as in explore_lite: a
+    frontier that runs slantwise is then one region and not a flight of single steps. Groups of
+    one size come in the order of their lowest cell, and so do the cells of a
     group, so that the answer is the same on every machine.
     """
+    neighbours = grid.around if corners else grid.beside
     left = set(cells)
     groups = []
     while left:
         group = [left.pop()]
         for cell in group:  # the list grows while it is walked along
-            new = left.intersection(grid.beside(cell))
+            new = left.intersection(neighbours(cell))
             group.extend(new)
             left -= new
         groups.append(sorted(group))
@@ -124,12 +128,20 @@ def clear_line(
         index = grid.index_at(*_between(here, goal, i / steps))
         if index is None or states[index] is not State.FREE:
             return False
-    near = spare_cm + grid.cell_cm / 2
-    return all(
-        _gap_to_line(grid.centre(index), here, goal) >= near
-        for index, state in enumerate(states)
-        if state is State.OCCUPIED
-    )
+    walls = (grid.centre(index) for index, state in enumerate(states) if state is State.OCCUPIED)
+    return gap_to_walls(walls, grid.cell_cm, here, goal) >= spare_cm
+
+
+def gap_to_walls(walls: Iterable[Point], cell_cm: float, here: Point, goal: Point) -> float:
+    """The smallest gap [cm] between a straight line and wall cells, given by their middles.
+
+    Each counts as the disc that just fits into it; infinity without any.
+
+    >>> gap_to_walls([(50, 50)], 5, (0, 60), (100, 60))
+    7.5
+    """
+    gaps = (_gap_to_line(middle, here, goal) for middle in walls)
+    return min(gaps, default=inf) - cell_cm / 2
 
 
 def choose_goal(

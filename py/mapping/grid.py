@@ -97,3 +97,14 @@ class Grid:
         column, row = self.cell(index)
         around = ((column - 1, row), (column + 1, row), (column, row - 1), (column, row + 1))
         return [self.index(each) for each in around if self.holds(each)]
+
+    def around(self, index: int) -> list[int]:
+        """The cells that share a side or a corner with this one: three in a corner, up to eight.
+
+        >>> Grid(100).around(0)
+        [1, 2, 3]
+        """
+        column, row = self.cell(index)
+        near = (-1, 0, 1)
+        cells = ((column + c, row + r) for r in near for c in near if (c, r) != (0, 0))
+        return [self.index(each) for each in cells if self.holds(each)]
