@@ -22,7 +22,12 @@ export default defineConfig({
     // The editor with the language and the chart is one part, loaded only by pages with a lab.
     chunkSizeWarningLimit: 800,
     rollupOptions: {
-      input: { home: page("index.html"), lab: page("lab/index.html") },
+      input: {
+        home: page("index.html"),
+        lab: page("lab/index.html"),
+        worlds: page("worlds/index.html"),
+        api: page("api/index.html"),
+      },
     },
   },
   server: { host: "127.0.0.1" },

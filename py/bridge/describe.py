@@ -14,15 +14,26 @@ from bugbot import worlds
 
 __all__ = ["describe"]
 
+_GROUPS = {
+    "Moving": ("drive", "forward", "backward", "left", "right", "turn", "stop"),
+    "Time": ("wait", "clock"),
+    "Sensing": ("scan", "distance", "position", "heading", "odometry", "battery"),
+    "Showing": ("draw", "plot", "led", "beep"),
+    "The robot as an object": ("connect", "Robot", "go"),
+}
+"""How the reference page orders the calls; together every public name, each once."""
+
 
 def describe() -> dict[str, Any]:
     """The worlds, whole, and the robot's calls.
 
-    Returns {"worlds": [world, …], "api": [{"name", "signature", "summary", "doc"}, …]}.
+    Returns {"worlds": [world, …], "api": [{"name", "signature", "summary", "doc"}, …],
+    "groups": [{"title", "names": [name, …]}, …]}.
     """
     return {
         "worlds": [worlds.load(name).to_dict() for name in worlds.names()],
-        "api": [_call(name) for name in bugbot.__all__ if inspect.isroutine(getattr(bugbot, name))],
+        "api": [_call(name) for names in _GROUPS.values() for name in names],
+        "groups": [{"title": title, "names": list(names)} for title, names in _GROUPS.items()],
     }
 
 

@@ -38,7 +38,10 @@ json.dumps(describe(), ensure_ascii=False)
  *   loader: string,
  *   files: Record<string, PythonFile>,
  * }} Manifest
- * @typedef {{ worlds: object[], api: object[] }} Course
+ * @typedef {{
+ *   worlds: object[], api: import("./calls-page.mjs").Call[],
+ *   groups: import("./calls-page.mjs").Group[],
+ * }} Course
  *
  * @param {(text: string) => void} log
  * @returns {Promise<{ folder: string, manifest: Manifest, course: Course }>}

@@ -6,6 +6,7 @@
  * @typedef {Awaited<ReturnType<typeof import("../python.mjs").preparePython>>} PreparedPython
  */
 import { join, sep } from "node:path";
+import { fillCalls } from "../calls-page.mjs";
 import { liveFigures } from "../figures.mjs";
 import { ROOT } from "../files.mjs";
 import { Course, pathOf } from "./course.mjs";
@@ -48,6 +49,12 @@ export function lessonPages(preparePython, folder) {
     const katex = dev ? `/@fs${KATEX}` : null;
     return new Course({ ...(await tools), katex, live: await liveFigures() });
   };
+
+  /** What files hold of a page whose words come from elsewhere, made whole. */
+  const filled = /** @type {Record<string, (html: string) => string | Promise<string>>} */ ({
+    "": async (html) => fillHome(html, await course()),
+    "api/": async (html) => fillCalls(html, (await preparePython()).course),
+  });
 
   return {
     name: "bugbot-lessons",
@@ -92,13 +99,13 @@ export function lessonPages(preparePython, folder) {
       order: "pre",
       async handler(html, { path }) {
         const place = path.replace(/^\//, "").replace(/index\.html$/, "");
-        const filled = place === "" ? await fillHome(html, await course()) : html;
-        return withFrame(filled, place);
+        const fill = filled[place];
+        return withFrame(fill ? await fill(html) : html, place);
       },
     },
 
     async generateBundle() {
-      const map = siteMap(["", "lab/", ...paths]);
+      const map = siteMap(["", "lab/", "worlds/", "api/", ...paths]);
       // Only a site that knows its own address can tell others of these.
       if (!map) return;
       this.emitFile({ type: "asset", fileName: "sitemap.xml", source: map });

@@ -1,9 +1,8 @@
 /**
- * A page of text with labs in it: its labs get their programs, its contents follow the reader, and
- * what has been done on this device is shown. May import types of `trace`.
+ * A page of text with labs in it: its labs get their programs, and what has been done on
+ * this device is shown. May import types of `trace`.
  */
 import { courseWords } from "../ui/course-words.ts";
-import { followContents } from "./contents.ts";
 import type { LessonData } from "./lesson-data.ts";
 import type { Progress } from "./progress.ts";
 
@@ -12,7 +11,6 @@ export function showLessonPage(page: Document, lesson: LessonData, progress: Pro
     const program = lesson.programs[lab.getAttribute("program-of") ?? ""];
     if (program) lab.setAttribute("program", program.source);
   }
-  followContents(page);
   const tell = (): void => showProgress(page, lesson, progress);
   progress.addEventListener("change", tell);
   tell();
