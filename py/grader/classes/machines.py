@@ -41,7 +41,7 @@ def by_machines(works: Sequence[Work], address: str) -> Iterator[Row]:
         futures = client.map(mark_work, list(works), pure=False)
         waiting = dict(zip((each.key for each in futures), works, strict=True))
         try:
-            for future in as_completed(futures):
+            for future in as_completed(futures, loop=client.loop):
                 work = waiting.pop(future.key)
                 wrong = future.exception()
                 yield future.result() if wrong is None else not_marked(work, _words(wrong))
