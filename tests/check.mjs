@@ -1,4 +1,4 @@
-/** npm run check: the quick half of the tests: format, lint, types, unit. */
+/** npm run check: the quick half of the tests: format, lint, types, unit, bytes. */
 
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -25,6 +25,8 @@ export async function check() {
   step("unit tests", () =>
     run("npx", ["playwright", "test", "--config", "tests/playwright.config.ts", "--project=unit"]),
   );
+  step("build", () => run("node", ["site/build/build.mjs"]));
+  step("bytes", () => run("node", ["site/build/budget.mjs"]));
 }
 
 /**

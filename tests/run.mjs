@@ -1,5 +1,4 @@
 /** npm test: set up what is missing, then every test there is. */
-import { build } from "../site/build/build.mjs";
 import { run } from "../site/build/install.mjs";
 import { check, step } from "./check.mjs";
 
@@ -7,8 +6,6 @@ const start = Date.now();
 await check();
 const { ensureBrowser } = await import("./setup.mjs");
 ensureBrowser();
-console.log("\n== build");
-await build();
 // A few noises here; `npm run lesson:check` tries twenty.
 step("lessons", () => run("node", ["site/build/lesson-check.mjs", "--seeds", "4"]));
 step("same marks in the browser's Python", () =>
