@@ -3,6 +3,8 @@
  * compression, no redirects but the one to a folder's slash.
  *
  * node tests/static-server.mjs [PORT [FOLDER-OF-THE-ADDRESS [FOLDER-OF-THE-SITE]]]
+ *
+ * PORT 0 is any free one. Prints the address once it answers.
  */
 import { createReadStream, existsSync, statSync } from "node:fs";
 import { createServer } from "node:http";
@@ -24,7 +26,7 @@ const TYPES = {
   ".png": "image/png",
 };
 
-createServer((request, response) => {
+const server = createServer((request, response) => {
   const { pathname } = new URL(request.url ?? "/", "http://localhost");
   const path = decodeURIComponent(pathname);
   const inside = path.startsWith(prefix) && !path.includes("..");
@@ -38,4 +40,9 @@ createServer((request, response) => {
   }
   response.writeHead(200, { "Content-Type": TYPES[extname(file)] ?? "application/octet-stream" });
   return createReadStream(file).pipe(response);
-}).listen(port, "127.0.0.1", () => console.log(`http://127.0.0.1:${port}${prefix}`));
+});
+server.listen(port, "127.0.0.1", () => {
+  const address = server.address();
+  const bound = typeof address === "object" && address ? address.port : port;
+  console.log(`http://127.0.0.1:${bound}${prefix}`);
+});

@@ -10,7 +10,9 @@ import { join, normalize } from "node:path";
 import { contentSecurityPolicy } from "./csp.mjs";
 import { filesBelow, ROOT } from "./files.mjs";
 import { lessonPages } from "./lessons/plugin.mjs";
+import { offline } from "./offline.mjs";
 import { preparePython } from "./python.mjs";
+import { standalone } from "./standalone.mjs";
 
 const FOLDER = "python";
 
@@ -27,7 +29,7 @@ export function bugbot({ lessons = join(ROOT, "lessons") } = {}) {
     preparing ??= preparePython((text) => console.log(text));
     return preparing;
   };
-  return [siteData(prepare), lessonPages(prepare, lessons)];
+  return [siteData(prepare), lessonPages(prepare, lessons), offline()];
 }
 
 /**
@@ -66,11 +68,14 @@ function siteData(prepare) {
       return null;
     },
 
-    generateBundle() {
+    async generateBundle() {
       for (const path of filesBelow(python.folder, isServed)) {
         const source = readFileSync(join(python.folder, path));
         this.emitFile({ type: "asset", fileName: `${FOLDER}/${path}`, source });
       }
+      // Other sites' pages name it: its address stays the same.
+      const source = await standalone(join(ROOT, "site/src/embed/embed.ts"));
+      this.emitFile({ type: "asset", fileName: "embed.js", source });
     },
 
     transformIndexHtml() {

@@ -6,6 +6,7 @@ import { startFigures } from "./figures/start.ts";
 import { showHome } from "./page/home.ts";
 import { type LessonData, readLessonData } from "./page/lesson-data.ts";
 import { showLessonPage } from "./page/lesson-page.ts";
+import { keepSoon, showOffline } from "./page/offline.ts";
 import { Progress } from "./page/progress.ts";
 import { ProgramStore } from "./page/storage.ts";
 import { showThemeSwitch } from "./page/theme-switch.ts";
@@ -22,6 +23,17 @@ type World = (typeof worlds)[number];
 const worldsInOrder = [...worlds].sort((a, b) => placeOf(a) - placeOf(b));
 startFigures(document);
 
+// Every page's header leads home, from whatever folder the site is in.
+const header = document.querySelector<HTMLAnchorElement>(".site-header .name");
+const home = header?.href ?? new URL(".", location.href).href;
+
+const embedded = document.documentElement.dataset.embed !== undefined;
+// The development server has no service worker, and what a frame keeps is kept for that frame only.
+const keeps = import.meta.env.PROD && !embedded;
+if (keeps) showOffline(home);
+const framed = embedded ? import("./page/embedded.ts") : null;
+void framed?.then(({ openLinksOutside }) => openLinksOutside());
+
 const store = new ProgramStore();
 const progress = new Progress(store);
 progress.listen();
@@ -37,6 +49,7 @@ if (lesson) showLessonPage(document, lesson, progress);
 // The editor is the largest part of the site: it comes when a lab is near, or the page is idle.
 const places = [...document.querySelectorAll("bugbot-lab, bugbot-task")];
 if (places.length > 0) whenNear(places, () => void startLabs());
+else if (keeps) whenWanted([], () => keepSoon(home));
 
 async function startLabs(): Promise<void> {
   const parts = Promise.all([
@@ -48,16 +61,31 @@ async function startLabs(): Promise<void> {
   const { Runtime } = await import("./runtime/client.ts");
   const runtime = new Runtime(warmUp());
   whenWanted(places, () => runtime.warm());
+  // What the reader came for is fetched before anything is kept for later.
+  if (keeps) whenReady(runtime, () => keepSoon(home));
   const [{ BugbotLab, defineLab }, { showLabPage }, { startTries }] = await parts;
-  // Every page's header leads home, from whatever folder the site is in.
-  const home = document.querySelector<HTMLAnchorElement>(".site-header .name")?.href;
-  const labAddress = new URL("lab/", home ?? location.href).href;
+  const labAddress = new URL("lab/", home).href;
   const all = [...worldsInOrder, ...(lesson?.worlds ?? [])];
+  const frame = await framed;
+  const own = document.querySelector<HTMLElement>(".lab-page bugbot-lab");
+  const prepared = own && frame ? await frame.prepareLab(own, worldsInOrder) : null;
   defineLab({ runtime, worlds: all, readyPrograms, calls: api, store, labAddress });
   if (lesson && document.querySelector("bugbot-task")) await startTasks(runtime, lesson);
-  const lab = document.querySelector(".lab-page bugbot-lab");
-  if (lab instanceof BugbotLab) showLabPage(lab, worldsInOrder);
+  if (own instanceof BugbotLab) {
+    if (frame && prepared) frame.connectLab(own, prepared, worldsInOrder);
+    else showLabPage(own, worldsInOrder);
+  }
   startTries(document);
+}
+
+/** Once Python is up. */
+function whenReady(runtime: Runtime, callback: () => void): void {
+  const listener = (): void => {
+    if (runtime.state !== "ready") return;
+    runtime.removeEventListener("change", listener);
+    callback();
+  };
+  runtime.addEventListener("change", listener);
 }
 
 async function startTasks(runtime: Runtime, lesson: LessonData): Promise<void> {

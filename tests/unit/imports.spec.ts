@@ -16,7 +16,18 @@ const MAY_IMPORT: Record<string, string[]> = {
   views: ["trace", "player", "ui"],
   editor: ["ui"],
   figures: ["ui", "trace/frames.ts"],
-  page: ["trace", "ui", "player", "runtime", "views", "editor"],
+  offline: [],
+  embed: ["trace/events.ts"],
+  page: [
+    "trace",
+    "ui",
+    "player",
+    "runtime",
+    "views",
+    "editor",
+    "offline/messages.ts",
+    "embed/messages.ts",
+  ],
   "main.ts": ["page", "figures", "runtime", "ui"],
 };
 

@@ -103,6 +103,7 @@ const FOOTER = `<footer class="site-footer">
         Your programs and your progress are kept on this device only. Free to use and to change under
         the MIT licence.
       </p>
+      <div class="offline"></div>
     </footer>`;
 
 /**

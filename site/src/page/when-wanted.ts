@@ -15,6 +15,11 @@ interface Connection {
 /** Somebody is there. Until then a page that was only opened, or only looked at, costs little. */
 const SIGNS = ["pointermove", "pointerdown", "keydown", "wheel", "scroll"];
 
+/** Whether the reader has asked the browser to save data. */
+export function savesData(): boolean {
+  return (navigator as Navigator & Connection).connection?.saveData === true;
+}
+
 /**
  * Call `start` once: when one of the labs comes near the screen, or the page has nothing else to do
  * and somebody has begun to read it. Where the reader saves data, only when they reach for a lab.
@@ -22,7 +27,7 @@ const SIGNS = ["pointermove", "pointerdown", "keydown", "wheel", "scroll"];
  */
 export function whenWanted(labs: readonly Element[], start: () => void): void {
   const { once, signal } = single(start);
-  if ((navigator as Navigator & Connection).connection?.saveData) {
+  if (savesData()) {
     for (const lab of labs) {
       lab.addEventListener("pointerdown", once, { signal });
       lab.addEventListener("focusin", once, { signal });

@@ -106,3 +106,9 @@ forward(50, 20)              # per cent of full speed, cm
 for angle, cm in scan():     # eight beams, left to right
     print(f"{angle:6.1f} degrees: {cm:5.1f} cm")
 `;
+
+/** For a lab in a frame of another site. */
+export const embedWords = {
+  noWorld: (name: string, there: string): string =>
+    `There is no world "${name}" here. There are: ${there}.`,
+};

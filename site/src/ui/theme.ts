@@ -21,8 +21,16 @@ export function setTheme(theme: Theme): void {
 
 /** Ink on paper is the light theme, whatever the screen has. */
 export function printInLight(): void {
-  addEventListener("beforeprint", () => applyTheme("light"));
-  addEventListener("afterprint", () => applyTheme(currentTheme()));
+  const { dataset } = document.documentElement;
+  let before: string | undefined;
+  addEventListener("beforeprint", () => {
+    before = dataset.theme;
+    applyTheme("light");
+  });
+  // Not the kept choice: a page in a frame has the theme that the frame asked for.
+  addEventListener("afterprint", () =>
+    applyTheme(THEMES.find((name) => name === before) ?? "system"),
+  );
 }
 
 function applyTheme(theme: Theme): void {
