@@ -3,6 +3,7 @@
  */
 import { api, readyPrograms, worlds } from "virtual:bugbot";
 import { startFigures } from "./figures/start.ts";
+import { followContents } from "./page/contents.ts";
 import { showHome } from "./page/home.ts";
 import { type LessonData, readLessonData } from "./page/lesson-data.ts";
 import { showLessonPage } from "./page/lesson-page.ts";
@@ -43,8 +44,15 @@ if (document.querySelector("progress-tools")) {
   defineProgressTools(progress);
 }
 
+followContents(document);
 const lesson = readLessonData(document);
 if (lesson) showLessonPage(document, lesson, progress);
+
+const matPlace = document.querySelector<HTMLElement>(".mat-place");
+if (matPlace) {
+  const { showMatMaker } = await import("./page/mats/mat-maker.ts");
+  showMatMaker(matPlace, { store, worlds: worldsInOrder, labAddress: new URL("lab/", home).href });
+}
 
 // The editor is the largest part of the site: it comes when a lab is near, or the page is idle.
 const places = [...document.querySelectorAll("bugbot-lab, bugbot-task")];
@@ -52,9 +60,10 @@ if (places.length > 0) whenNear(places, () => void startLabs());
 else if (keeps) whenWanted([], () => keepSoon(home));
 
 async function startLabs(): Promise<void> {
+  const own = document.querySelector<HTMLElement>(".lab-page bugbot-lab");
   const parts = Promise.all([
     import("./page/lab.ts"),
-    import("./page/lab-page.ts"),
+    own ? import("./page/lab-page.ts") : null,
     import("./page/try.ts"),
   ]);
   // Python may be on its way while the editor still is.
@@ -63,17 +72,16 @@ async function startLabs(): Promise<void> {
   whenWanted(places, () => runtime.warm());
   // What the reader came for is fetched before anything is kept for later.
   if (keeps) whenReady(runtime, () => keepSoon(home));
-  const [{ BugbotLab, defineLab }, { showLabPage }, { startTries }] = await parts;
+  const [{ BugbotLab, defineLab }, labPage, { startTries }] = await parts;
   const labAddress = new URL("lab/", home).href;
   const all = [...worldsInOrder, ...(lesson?.worlds ?? [])];
   const frame = await framed;
-  const own = document.querySelector<HTMLElement>(".lab-page bugbot-lab");
   const prepared = own && frame ? await frame.prepareLab(own, worldsInOrder) : null;
   defineLab({ runtime, worlds: all, readyPrograms, calls: api, store, labAddress });
   if (lesson && document.querySelector("bugbot-task")) await startTasks(runtime, lesson);
   if (own instanceof BugbotLab) {
     if (frame && prepared) frame.connectLab(own, prepared, worldsInOrder);
-    else showLabPage(own, worldsInOrder);
+    else labPage?.showLabPage(own, all, store);
   }
   startTries(document);
 }

@@ -22,8 +22,8 @@ START = (100, 100)  # where the robot stands; position() counts from there
 ACROSS = math.ceil(MAT / CELL)
 log_odds = [0.0] * (ACROSS * ACROSS)  # row after row, from the bottom; 0 is unknown
 
-# What really stands there: (left, bottom, width, height) of the post and the
-# shelf. The map never looks at this; it is here to count the map's mistakes.
+# What really stands there: (left, bottom, width, height) of each thing. The
+# map never looks at this; it is here to count the map's mistakes.
 REAL = [(130, 70, 8, 70), (40, 150, 70, 8)]
 
 

@@ -46,7 +46,7 @@ export function readSeed(text: string): number | null {
   return seed <= MOST_SEED ? seed : null;
 }
 
-/** The query that leads back to a world and seed. */
-export function writeAddress({ world, seed }: Place): string {
-  return `?${new URLSearchParams({ world, seed: String(seed) })}`;
+/** The query that leads back to a world and seed; a world that the link brings along has no name. */
+export function writeAddress({ world, seed }: { world?: string; seed: number }): string {
+  return `?${new URLSearchParams({ ...(world === undefined ? {} : { world }), seed: String(seed) })}`;
 }

@@ -6,12 +6,22 @@ import { Dialog } from "../ui/dialog.ts";
 import { keyWords } from "../ui/key-words.ts";
 import "./keys-dialog.css";
 
+interface KeyList {
+  title: string;
+  groups: readonly { title: string; keys: readonly (readonly string[])[] }[];
+}
+
+/** The keys of the lab. */
 export function showKeys(): void {
-  const dialog = new Dialog<never>(keyWords.title);
+  showKeyList(keyWords);
+}
+
+export function showKeyList({ title: heading, groups }: KeyList): void {
+  const dialog = new Dialog<never>(heading);
   dialog.element.classList.add("narrow");
   dialog.show(
-    html`<div class="panel-keys" tabindex="0" role="region" aria-label=${keyWords.title}>
-      ${keyWords.groups.map(
+    html`<div class="panel-keys" tabindex="0" role="region" aria-label=${heading}>
+      ${groups.map(
         ({ title, keys }) => html`<h3>${title}</h3>
           <dl>
             ${keys.map(

@@ -5,6 +5,8 @@
 import type { World } from "../trace/events.ts";
 import { starterProgram } from "../ui/strings.ts";
 import type { Place } from "./address.ts";
+import { isOwnMat } from "./mats/own-name.ts";
+import { ownStarter } from "./mats/own-starter.ts";
 import { newSeed, type PickersInput } from "./pickers.ts";
 import type { Services } from "./services.ts";
 import type { Note } from "./status.ts";
@@ -34,7 +36,10 @@ export class LabPlace {
 
   /** The program to begin with: the page's own, or one that maps this world. */
   get starter(): string {
-    const ready = this.#services.readyPrograms.find(({ world }) => world === this.#lab.world);
+    const { readyPrograms } = this.#services;
+    const first = readyPrograms[0];
+    if (first && isOwnMat(this.#lab.world)) return ownStarter(first.source, this.world);
+    const ready = readyPrograms.find(({ world }) => world === this.#lab.world);
     return this.#lab.getAttribute("program") ?? ready?.source ?? starterProgram;
   }
 

@@ -6,6 +6,7 @@ import type { World } from "../trace/events.ts";
 import { noiseWords, repeatWords } from "../ui/noise-words.ts";
 import { pickerWords } from "../ui/strings.ts";
 import { MOST_SEED, readSeed } from "./address.ts";
+import { isOwnMat } from "./mats/own-name.ts";
 import { TIMES } from "./repeat.ts";
 
 export interface PickersInput {
@@ -49,16 +50,32 @@ export function pickers(input: PickersInput): TemplateResult {
         ? html`<label class="world">
             <span>${pickerWords.world}</span>
             <select .value=${world} @change=${onWorld}>
-              ${worlds.map(
-                ({ name, title }) =>
-                  html`<option value=${name} ?selected=${name === world}>${title}</option>`,
+              ${options(
+                worlds.filter(({ name }) => !isOwnMat(name)),
+                world,
               )}
+              ${
+                worlds.some(({ name }) => isOwnMat(name))
+                  ? html`<optgroup label=${pickerWords.ownMats}>
+                      ${options(
+                        worlds.filter(({ name }) => isOwnMat(name)),
+                        world,
+                      )}
+                    </optgroup>`
+                  : nothing
+              }
             </select>
           </label>`
         : nothing
     }
     ${noise(input, onSeed)}
   </div>`;
+}
+
+function options(worlds: readonly World[], chosen: string): TemplateResult[] {
+  return worlds.map(
+    ({ name, title }) => html`<option value=${name} ?selected=${name === chosen}>${title}</option>`,
+  );
 }
 
 function noise(input: PickersInput, onSeed: (event: Event) => void): TemplateResult {

@@ -1,5 +1,5 @@
 /**
- * The panel that gives a link to a program. May import `ui`.
+ * The panel that gives a link to a program, or to a mat. May import `ui`.
  */
 import { html, nothing } from "lit";
 import { Dialog } from "../ui/dialog.ts";
@@ -7,13 +7,17 @@ import { shareWords } from "../ui/file-words.ts";
 import { LONG_LINK } from "./share.ts";
 import "./share-dialog.css";
 
-/** Shows a link to copy; `onSave` saves the program as a file instead. */
-export function showLink(link: string, onSave: () => void): void {
-  const dialog = new Dialog<never>(shareWords.title);
+/** Shows a link to copy; `onSave` saves what it holds as a file instead. */
+export function showLink(
+  link: string,
+  onSave: () => void,
+  words: { title: string; lead: string; save: string } = shareWords,
+): void {
+  const dialog = new Dialog<never>(words.title);
   dialog.element.classList.add("narrow");
   const draw = (said: string): void => {
     dialog.show(
-      html`<p>${shareWords.lead}</p>
+      html`<p>${words.lead}</p>
         ${
           link.length > LONG_LINK
             ? html`<p class="panel-note">${shareWords.long(link.length)}</p>`
@@ -29,7 +33,7 @@ export function showLink(link: string, onSave: () => void): void {
         />
         <footer>
           <p role="status">${said}</p>
-          <button type="button" @click=${onSave}>${shareWords.save}</button>
+          <button type="button" @click=${onSave}>${words.save}</button>
           <button type="button" class="go" autofocus @click=${copy}>${shareWords.copy}</button>
         </footer>`,
     );

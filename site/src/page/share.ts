@@ -2,6 +2,8 @@
  * A program in a link: `/lab/?world=NAME&seed=N#code=TEXT`, where TEXT is the program in UTF-8,
  * deflated (deflate-raw) and in base64url. What stands behind # is never sent to a server.
  *
+ * A link with `#mat=` carries a mat in the same way (`mats/mat-file.ts`).
+ *
  * A link may come from anyone, so unpacking is bounded, and nothing here opens or runs anything.
  * May import `ui` and `address`.
  */
@@ -26,9 +28,9 @@ export async function linkTo(lab: string, place: Place, program: string): Promis
   return `${lab}${writeAddress(place)}#code=${await pack(program)}`;
 }
 
-/** The packed program in the part of an address behind #, or null where there is none. */
-export function packedIn(hash: string): string | null {
-  return new URLSearchParams(hash.slice(1)).get("code");
+/** The packed program or mat in the part of an address behind #, or null where there is none. */
+export function packedIn(hash: string, what: "code" | "mat" = "code"): string | null {
+  return new URLSearchParams(hash.slice(1)).get(what);
 }
 
 export async function pack(program: string): Promise<string> {
@@ -42,21 +44,31 @@ export async function pack(program: string): Promise<string> {
   return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
 }
 
-/** Throws ShareError if the text is not what `pack` makes, or unpacks to too much. */
-export async function unpack(code: string): Promise<string> {
+/**
+ * Throws ShareError, in words for what the link should hold, if the text is not what `pack` makes,
+ * or unpacks to more bytes than that.
+ */
+export async function unpack(
+  code: string,
+  mostBytes = MOST_PROGRAM_BYTES,
+  words: { broken: string; tooLarge: string } = shareWords,
+): Promise<string> {
   const bytes = fromBase64Url(code);
+  if (bytes === null) throw new ShareError(words.broken);
   const unpacked = inPieces(bytes).pipeThrough(new DecompressionStream("deflate-raw"));
-  const program = decodeText(await readAtMost(unpacked, MOST_PROGRAM_BYTES));
-  if (program === null) throw new ShareError(shareWords.broken);
-  return program;
+  const read = await readAtMost(unpacked, mostBytes);
+  if (read === "too much") throw new ShareError(words.tooLarge);
+  const text = read && decodeText(read);
+  if (text === null) throw new ShareError(words.broken);
+  return text;
 }
 
-function fromBase64Url(code: string): Uint8Array<ArrayBuffer> {
+function fromBase64Url(code: string): Uint8Array<ArrayBuffer> | null {
   const plain = code.replaceAll(/\s/g, "").replaceAll("-", "+").replaceAll("_", "/");
   try {
     return Uint8Array.from(atob(plain), (sign) => sign.charCodeAt(0));
   } catch {
-    throw new ShareError(shareWords.broken);
+    return null;
   }
 }
 
@@ -74,7 +86,11 @@ function inPieces(bytes: Uint8Array<ArrayBuffer>): ReadableStream<Uint8Array<Arr
   );
 }
 
-async function readAtMost(stream: ReadableStream<Uint8Array>, most: number): Promise<Uint8Array> {
+/** Null if the stream breaks off or holds no packed text. */
+async function readAtMost(
+  stream: ReadableStream<Uint8Array>,
+  most: number,
+): Promise<Uint8Array | "too much" | null> {
   const reader = stream.getReader();
   const blocks: Uint8Array[] = [];
   let length = 0;
@@ -83,12 +99,12 @@ async function readAtMost(stream: ReadableStream<Uint8Array>, most: number): Pro
       length += read.value.length;
       if (length > most) {
         await reader.cancel();
-        throw new ShareError(shareWords.tooLarge);
+        return "too much";
       }
       blocks.push(read.value);
     }
-  } catch (error) {
-    throw error instanceof ShareError ? error : new ShareError(shareWords.broken);
+  } catch {
+    return null;
   }
   const all = new Uint8Array(length);
   let at = 0;

@@ -83,6 +83,7 @@ export const transportWords = {
 export const pickerWords = {
   world: "World",
   seed: "Seed",
+  ownMats: "Your mats",
   ownProgram: (world: string) => `This is the program kept for ${world}.`,
   bring: (world: string) => `Use the one from ${world} here`,
   badSeed: (text: string, most: number, used: number) =>
