@@ -121,7 +121,7 @@ def _judged(checks: list[Check], states: list[_Begun]) -> list[dict[str, Any]]:
 def _ours(error: Exception, filename: str) -> str:
     """A fault of ours, in a sentence with the line of the check.py, if it has to do with one."""
     # Without their source: in a page, the library's own may not be there to be read.
-    lines = [
+    lines: list[int | None] = [
         line
         for frame, line in traceback.walk_tb(error.__traceback__)
         if frame.f_code.co_filename == filename

@@ -42,6 +42,7 @@ MAY_IMPORT: dict[str, tuple[str, ...]] = {
     "sketch": ("bugbot.frames", "sketch"),
     "bridge": (
         *("bugbot", "bugbot.run", "bugbot.trace", "bugbot.worlds", "grader", "bridge"),
+        *("bugbot.errors", "mapping"),
         *("js", "pyodide"),
     ),
 }

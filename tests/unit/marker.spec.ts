@@ -22,6 +22,8 @@ const PASSED = {
       hint: null,
     },
   ],
+  results: [],
+  score: null,
   ours: null,
 };
 
@@ -114,8 +116,8 @@ test("the judge hears every result in the order of its jobs, and each job has an
     4,
   );
   expect(judge().told.some(({ kind }) => kind === "perform")).toBe(false);
-  expect(progress.at(0)).toEqual({ done: 0, of: 3 });
-  expect(progress.at(-1)).toEqual({ done: 4, of: 4 });
+  expect(progress.at(0)).toEqual({ done: 0, of: 3, now: null });
+  expect(progress.at(-1)).toEqual({ done: 4, of: 4, now: { mat: 1, mats: 1, seed: 1 } });
 });
 
 test("the program is told to the performers with the job's own text, and the check is not", async () => {
@@ -228,6 +230,15 @@ const failed = { ...PASSED.checks[0], status: "failed", where };
 test("a mark is read as it is", () => {
   const mark = { ...PASSED, passed: false, checks: [failed] };
   expect(readStep(JSON.stringify({ mark }))).toEqual({ mark });
+});
+
+test("a mark with results that are no list, or a score that is none, is refused", () => {
+  const score = { value: 61.5, of: 100, how: "what is known" };
+  const good = { ...PASSED, results: [{ seed: 1 }], score };
+  expect(readStep(JSON.stringify({ mark: good }))).toEqual({ mark: good });
+  for (const bad of [{ results: "none" }, { results: [1] }, { score: { ...score, of: 0 } }]) {
+    expect(() => readStep(JSON.stringify({ mark: { ...good, ...bad } }))).toThrow("neither jobs");
+  }
 });
 
 for (const [what, check] of [

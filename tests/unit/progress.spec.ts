@@ -131,3 +131,32 @@ test("where the device refuses, progress lasts as long as the page and says so",
   expect(progress.kept).toBe(false);
   expect(progress.of("u8-1", "cell-of")?.state).toBe("passed");
 });
+
+test("the best score and the last are kept, and go along in a file", () => {
+  const storage = device();
+  progressOn(storage, 1000).scored("u8-7", "project", 60, 100);
+  progressOn(storage, 2000).scored("u8-7", "project", 72.5, 100);
+  const here = progressOn(storage, 3000);
+  here.marked("u8-7", "project", true);
+  here.scored("u8-7", "project", 65, 100);
+  const kept = { best: 72.5, bestAt: 2000, last: 65, lastAt: 3000, of: 100 };
+  expect(here.of("u8-7", "project")).toMatchObject({ state: "passed", score: kept });
+
+  const school = progressOn(device(), 2500);
+  school.scored("u8-7", "project", 71, 100);
+  school.import(here.export());
+  expect(school.of("u8-7", "project")?.score).toEqual(kept);
+  // Where the points are counted anew, a score of before is no measure.
+  here.scored("u8-7", "project", 7, 10);
+  expect(here.of("u8-7", "project")?.score).toMatchObject({ best: 7, of: 10 });
+});
+
+test("a score that is none is left out of a file", () => {
+  const text = JSON.stringify({
+    ...{ format: "bugbot-progress", version: 1, last: null },
+    tasks: { "a/b": { state: "tried", hints: 0, solution: false, at: 1, score: { best: "9" } } },
+  });
+  const progress = progressOn(device());
+  progress.import(text);
+  expect(progress.of("a", "b")).toEqual({ state: "tried", hints: 0, solution: false, at: 1 });
+});

@@ -11,6 +11,7 @@ import { editorHint, keyWords } from "../ui/key-words.ts";
 import { editorWords, labWords } from "../ui/strings.ts";
 import "../views/chart.ts";
 import "../views/console.ts";
+import type { Backdrop } from "../views/overhead/backdrop.ts";
 import "../views/overhead/overhead.ts";
 import { showKeys } from "./keys-dialog.ts";
 import "./lab.css";
@@ -32,6 +33,8 @@ export interface LabFace {
   earlier: Trace | null;
   /** Cells to point out on the overhead view. */
   outlined: readonly Cell[];
+  /** What lies under the program's layers. */
+  backdrop: Backdrop | null;
   pickers: PickersInput;
   status: StatusInput;
   /** Runs of one program with many seeds, and what to say of them. */
@@ -46,7 +49,7 @@ export interface LabFace {
 }
 
 export function labFace(face: LabFace): TemplateResult {
-  const { label, player, earlier, outlined, runs } = face;
+  const { label, player, earlier, outlined, backdrop, runs } = face;
   return html`<section class="lab" aria-label=${label || labWords.untitled}>
     <div class="lab-bar">
       ${label ? html`<h2 class="title">${label}</h2>` : nothing}
@@ -64,6 +67,7 @@ export function labFace(face: LabFace): TemplateResult {
         .player=${player}
         .earlier=${earlier}
         .outlined=${outlined}
+        .backdrop=${backdrop}
         @keydown=${(event: KeyboardEvent) => playbackKey(event, player)}
       ></overhead-view>
       <chart-view .player=${player} .earlier=${earlier} .runs=${runs}></chart-view>

@@ -1,6 +1,6 @@
 /**
- * What a lab can do with files, links and earlier versions: the items behind its More button, a
- * file dropped on the editor, and programs that are offered. Whatever replaces the program is one
+ * What a lab can do with files, links and earlier versions: the items behind its More button, files
+ * dropped on the lab, and programs that are offered. Whatever replaces the program is one
  * step that undo takes back. May import every room of the site but `worker`.
  */
 import {
@@ -14,6 +14,8 @@ import {
 } from "../ui/file-words.ts";
 import { labWords, statusWords } from "../ui/strings.ts";
 import type { MenuGroup } from "./lab-menu.ts";
+import { areMap, mapItems, openMap } from "./map-files.ts";
+import { isOwnMat } from "./mats/own-name.ts";
 import type { Sheet } from "./print.ts";
 import { chooseVersion, offerProgram } from "./program-dialogs.ts";
 import { type LabDesk, placeOfRun, runItems, showRun, titleOf } from "./run-files.ts";
@@ -44,6 +46,7 @@ export class LabFiles {
         title: menuWords.run,
         items: runItems(this.#desk, () => this.#openRun()),
       },
+      mapItems(this.#desk, (act) => this.#told(act)),
     ];
   }
 
@@ -61,11 +64,12 @@ export class LabFiles {
     element.addEventListener(
       "drop",
       (event) => {
-        const dropped = event.dataTransfer?.files[0];
-        if (!dropped) return;
+        const files = [...(event.dataTransfer?.files ?? [])];
+        const [first] = files;
+        if (!first) return;
         event.preventDefault();
         event.stopPropagation();
-        void this.#told(() => this.#openFile(dropped));
+        void this.#told(() => (areMap(files) ? openMap(this.#desk, files) : this.#openFile(first)));
       },
       { capture: true },
     );
@@ -180,7 +184,15 @@ export class LabFiles {
   }
 
   async #share(): Promise<void> {
-    const { labAddress, lab, program } = this.#desk;
-    showLink(await linkTo(labAddress, lab, program.text), () => this.#save());
+    showLink(await this.#link(), () => this.#save());
+  }
+
+  /** A link to the program; a mat of the reader's own goes with it. */
+  async #link(): Promise<string> {
+    const { labAddress, lab, program, worlds } = this.#desk;
+    const world = worlds.find(({ name }) => name === lab.world);
+    if (!world || !isOwnMat(world.name)) return linkTo(labAddress, lab, program.text);
+    const { linkToMat } = await import("./mats/mat-file.ts");
+    return linkToMat(labAddress, world, { seed: lab.seed, program: program.text });
   }
 }

@@ -21,6 +21,7 @@ import { outcomeOf } from "../trace/outcome.ts";
 import type { Trace } from "../trace/trace.ts";
 import { guestWords, repeatWords } from "../ui/noise-words.ts";
 import { pickerWords, statusWords } from "../ui/strings.ts";
+import type { Backdrop } from "../views/overhead/backdrop.ts";
 import { FIRST_SEED } from "./address.ts";
 import { applyCodeSize, changeCodeSize } from "./code-size.ts";
 import { emptyTrace } from "./empty-trace.ts";
@@ -42,12 +43,15 @@ export class BugbotLab extends LitElement {
     seed: { type: Number, reflect: true },
     label: { type: String },
     pickers: { type: Boolean },
+    backdrop: { attribute: false },
   };
 
   declare world: string;
   declare seed: number;
   declare label: string;
   declare pickers: boolean;
+  /** What lies on the mat under the program's layers, such as a map from a file. */
+  declare backdrop: Backdrop | null;
 
   readonly #services: Services;
   readonly #place: LabPlace;
@@ -70,6 +74,7 @@ export class BugbotLab extends LitElement {
     this.seed = FIRST_SEED;
     this.label = "";
     this.pickers = false;
+    this.backdrop = null;
     this.#place = new LabPlace(this, services);
     this.#runs = new LabRuns({
       runtime: services.runtime,
@@ -242,7 +247,7 @@ export class BugbotLab extends LitElement {
   }
 
   override firstUpdated(): void {
-    const { calls, store, worlds, labAddress } = this.#services;
+    const { calls, store, worlds, labAddress, runtime } = this.#services;
     const host = this.#part(".lab-editor");
     this.#program = new LabProgram({
       host,
@@ -264,10 +269,12 @@ export class BugbotLab extends LitElement {
       worlds,
       labAddress,
       run: () => this.#runs.trace,
+      runtime,
+      shown: this.#runs.player,
       show: (run) => this.#showSaved(run),
       say: (note) => this.say(note),
     });
-    this.#files.acceptDrops(host);
+    this.#files.acceptDrops(this);
     this.#open();
     if (this.#programToBe !== null) this.#program.replace(this.#programToBe);
   }
@@ -340,6 +347,7 @@ export class BugbotLab extends LitElement {
       player,
       earlier,
       outlined: guest?.outlined ?? [],
+      backdrop: this.backdrop,
       pickers: this.#place.pickers(() => this.#repeat()),
       status: this.#status(),
       runs: series.runs,

@@ -12,6 +12,18 @@ export interface TaskRecord {
   solution: boolean;
   /** When it was first passed, or else last tried [ms since 1970]. */
   at: number;
+  /** Of a task whose mark has a score. */
+  score?: ScoreRecord;
+}
+
+/** The best and the last score of a task, each with its moment [ms since 1970]. */
+export interface ScoreRecord {
+  best: number;
+  bestAt: number;
+  last: number;
+  lastAt: number;
+  /** The most there can be. */
+  of: number;
 }
 
 export interface Place {
@@ -63,8 +75,8 @@ export function readProgress(text: string): ProgressRecord | Unreadable {
   const tasks = new Map<string, TaskRecord>();
   for (const [key, task] of entries) {
     if (!isKey(key) || !isTask(task)) return "damaged";
-    const { state, hints, solution, at } = task;
-    tasks.set(key, { state, hints, solution, at });
+    const { state, hints, solution, at, score } = task;
+    tasks.set(key, { state, hints, solution, at, ...(isScore(score) ? { score } : {}) });
   }
   return { tasks, last: isPlace(value.last) ? value.last : null };
 }
@@ -81,12 +93,22 @@ export function merged(one: ProgressRecord, other: ProgressRecord): ProgressReco
 
 function mergedTask(one: TaskRecord, other: TaskRecord): TaskRecord {
   const passes = [one, other].filter(({ state }) => state === "passed").map(({ at }) => at);
+  const score = mergedScore(one.score, other.score);
   return {
     state: passes.length > 0 ? "passed" : "tried",
     hints: Math.max(one.hints, other.hints),
     solution: one.solution || other.solution,
     at: passes.length > 0 ? Math.min(...passes) : Math.max(one.at, other.at),
+    ...(score ? { score } : {}),
   };
+}
+
+/** The better best and the later last. Of two ways to count, the one used last is what counts. */
+function mergedScore(one?: ScoreRecord, other?: ScoreRecord): ScoreRecord | undefined {
+  if (!one || !other) return one ?? other;
+  const [earlier, later] = one.lastAt <= other.lastAt ? [one, other] : [other, one];
+  if (earlier.of !== later.of || later.best > earlier.best) return later;
+  return { ...later, best: earlier.best, bestAt: earlier.bestAt };
 }
 
 function isRecord(value: unknown): value is Record<string, unknown> {
@@ -107,6 +129,13 @@ function isTask(value: unknown): value is TaskRecord {
     Number(value.hints) <= MOST_HINTS &&
     typeof value.solution === "boolean" &&
     Number.isFinite(value.at)
+  );
+}
+
+function isScore(value: unknown): value is ScoreRecord {
+  return (
+    isRecord(value) &&
+    [value.best, value.bestAt, value.last, value.lastAt, value.of].every(Number.isFinite)
   );
 }
 

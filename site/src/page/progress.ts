@@ -15,7 +15,7 @@ import {
 } from "./progress-record.ts";
 import type { ProgramStore } from "./storage.ts";
 
-export type { Place, TaskRecord } from "./progress-record.ts";
+export type { Place, ScoreRecord, TaskRecord } from "./progress-record.ts";
 
 /** The name it is kept under. */
 const NAME = "progress";
@@ -90,6 +90,13 @@ export class Progress extends EventTarget {
   marked(lesson: string, task: string, passed: boolean): void {
     const state = passed ? "passed" : "tried";
     this.#add(lesson, task, { state, hints: 0, solution: false, at: this.#now() });
+  }
+
+  /** The program has been marked, and has a score; the best one is kept. */
+  scored(lesson: string, task: string, value: number, of: number): void {
+    const at = this.#now();
+    const score = { best: value, bestAt: at, last: value, lastAt: at, of };
+    this.#add(lesson, task, { state: "tried", hints: 0, solution: false, at, score });
   }
 
   /** So many hints are open now. */

@@ -1,12 +1,14 @@
 /**
  * A run, its chart and its picture as files, and a saved run on show again.
- * May import `trace`, `views` and `ui`.
+ * May import `runtime`, `trace`, `views` and `ui`.
  */
+import type { Runtime } from "../runtime/client.ts";
 import type { World } from "../trace/events.ts";
 import { writeTraceFile } from "../trace/file.ts";
 import type { Trace } from "../trace/trace.ts";
 import { fileWords, menuWords } from "../ui/file-words.ts";
 import type { ChartView } from "../views/chart.ts";
+import type { Backdrop } from "../views/overhead/backdrop.ts";
 import type { OverheadView } from "../views/overhead/overhead.ts";
 import type { Place } from "./address.ts";
 import type { MenuItem } from "./lab-menu.ts";
@@ -17,13 +19,16 @@ import { saveFile } from "./text-file.ts";
 /** What files and links ask of the lab. */
 export interface LabDesk {
   /** The element, with its world, seed and title as they are now. */
-  readonly lab: HTMLElement & Place & { label: string };
+  readonly lab: HTMLElement & Place & { label: string; backdrop: Backdrop | null };
   readonly program: LabProgram;
   readonly worlds: readonly World[];
   /** Address of the lab's own page. */
   readonly labAddress: string;
   /** The run on show; null before the first. */
   run(): Trace | null;
+  /** The run and the moment on the mat, a guest's too. */
+  readonly shown: { trace: Trace; time: number };
+  readonly runtime: Pick<Runtime, "convert">;
   /** Shows a run made before, on its world. */
   show(run: Trace): Promise<void>;
   say(note: Note | null): void;

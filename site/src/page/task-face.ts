@@ -6,6 +6,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { icons } from "../ui/icons.ts";
 import { hintWords, solutionWords, taskWords } from "../ui/task-words.ts";
 import type { TaskData } from "./lesson-data.ts";
+import type { CardInput } from "./results-card.ts";
 import { type ChecksInput, checkList } from "./task-checks.ts";
 import { type MarkStatusInput, markStatus } from "./task-status.ts";
 import "./task.css";
@@ -26,6 +27,8 @@ export interface TaskFace {
   status: MarkStatusInput;
   /** Null before the first mark. */
   checks: ChecksInput | null;
+  /** Null if the mark reports no runs. */
+  results: CardInput | null;
   /** The mark is for another program than the one in the editor. */
   stale: boolean;
   opened: number;
@@ -63,12 +66,19 @@ export function taskFace(face: TaskFace): TemplateResult {
       ${markStatus(face.status)}
       ${
         face.checks
-          ? html`<div class="task-marks" ?data-stale=${face.stale}>${checkList(face.checks)}</div>`
+          ? html`<div class="task-marks" ?data-stale=${face.stale}>
+              ${checkList(face.checks)} ${resultsOf(face)}
+            </div>`
           : nothing
       }
       ${openHints(face)} ${foot(face)}
     </div>
   </article>`;
+}
+
+/** The element is known once there are results to show. */
+function resultsOf({ results }: TaskFace): TemplateResult | typeof nothing {
+  return results ? html`<results-card .input=${results}></results-card>` : nothing;
 }
 
 const STATE_ICONS = { new: icons.notTried, tried: icons.tried, passed: icons.passed };

@@ -11,6 +11,7 @@ import type { Mark } from "../runtime/marks.ts";
 import { icons } from "../ui/icons.ts";
 import { markWords } from "../ui/task-words.ts";
 import type { MarkingPhase } from "./marking.ts";
+import type { TaskRecord } from "./progress-record.ts";
 
 export interface MarkStatusInput {
   phase: MarkingPhase;
@@ -24,7 +25,7 @@ export interface MarkStatusInput {
   /** A fault of ours: what is known of it. */
   error: string | null;
   /** How the task stood before this visit. */
-  before: { state: "tried" | "passed"; at: number } | null;
+  before: TaskRecord | null;
   onCheck(): void;
   onCancel(): void;
 }
@@ -52,7 +53,7 @@ export function markStatus(input: MarkStatusInput): TemplateResult {
       ${
         marking
           ? html`<span class="count">
-                ${progress ? markWords.count(progress.done, progress.of) : nothing}
+                ${progress ? markWords.count(progress) : nothing}
               </span>
               <button type="button" @click=${onCancel}>${markWords.cancel}</button>
               ${bar(progress)}`
@@ -95,18 +96,21 @@ function say(input: MarkStatusInput): { tone: Tone; text: string[] } {
     return { tone, text: [...cancelled, ...outdated, ...result(mark)] };
   }
   if (cancelled.length > 0) return { tone: "quiet", text: cancelled };
+  const best = before?.score ? [markWords.best(before.score)] : [];
   if (before?.state === "passed") {
-    return { tone: "quiet", text: [markWords.passedBefore(new Date(before.at))] };
+    return { tone: "quiet", text: [markWords.passedBefore(new Date(before.at)), ...best] };
   }
-  return { tone: "quiet", text: [before ? markWords.tried : markWords.none] };
+  return { tone: "quiet", text: [before ? markWords.tried : markWords.none, ...best] };
 }
 
-function result({ passed, checks }: Mark): string[] {
-  if (passed) return [markWords.passed(checks.length)];
+function result({ passed, checks, score }: Mark): string[] {
+  const scored = score ? [markWords.score(score)] : [];
+  if (passed) return [markWords.passed(checks.length), ...scored];
   const first = checks.find(({ status }) => status === "failed");
   const fine = checks.filter(({ status }) => status === "passed").length;
   return [
     markWords.failed(fine, checks.length),
     ...(first && checks.length > 1 ? [markWords.failedFirst(first.title)] : []),
+    ...scored,
   ];
 }

@@ -62,7 +62,7 @@ class TaskWhere extends LitElement {
     canvas.height = camera.height;
     const { run: trace, time: t, cells: outlined } = this;
     const layers = trace.layersAt(t);
-    const nothing = { different: [], cell: null, touch: null };
+    const nothing = { backdrop: null, different: [], cell: null, touch: null };
     new MatPicture(camera, readPalette(this)).paint(ctx, {
       ...{ trace, t, layers, truth: true, outlined },
       ...nothing,

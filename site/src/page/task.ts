@@ -8,6 +8,7 @@
 import { LitElement, type TemplateResult } from "lit";
 import type { Runtime } from "../runtime/client.ts";
 import type { Where } from "../runtime/marks.ts";
+import type { Result } from "../runtime/results.ts";
 import { solutionWords, whereWords } from "../ui/task-words.ts";
 import type { BugbotLab } from "./lab.ts";
 import type { LessonData, TaskData } from "./lesson-data.ts";
@@ -15,6 +16,8 @@ import { TaskMarking } from "./marking.ts";
 import type { Progress, TaskRecord } from "./progress.ts";
 import { cellsOf } from "./task-checks.ts";
 import { type TaskFace, taskFace } from "./task-face.ts";
+import { type TaskParts, takeOver } from "./task-parts.ts";
+import { TaskResults } from "./task-results.ts";
 import { showSolution } from "./task-solution.ts";
 
 /** What every task of a page shares. */
@@ -30,7 +33,9 @@ export class BugbotTask extends LitElement {
 
   readonly #services: TaskServices;
   readonly #marking: TaskMarking;
-  #parts: Pick<TaskFace, "title" | "statement" | "hints"> | null = null;
+  /** Made with the first mark: the task's name is known by then. */
+  #results: TaskResults | null = null;
+  #parts: TaskParts | null = null;
   /** How the task stood when the page was opened. */
   #before: TaskRecord | null = null;
   /** The program in the editor, as of its last change. */
@@ -39,6 +44,10 @@ export class BugbotTask extends LitElement {
   #passedNow = false;
   #note: TaskFace["note"] = null;
   readonly #redraw = (): void => this.requestUpdate();
+  readonly #onRun = {
+    onShow: (where: Where): void => this.#show(where),
+    onRosMap: (result: Result): void => void this.#saveRosMap(result),
+  };
 
   constructor(services: TaskServices) {
     super();
@@ -56,7 +65,7 @@ export class BugbotTask extends LitElement {
   }
 
   override connectedCallback(): void {
-    this.#parts ??= this.#takeOver();
+    this.#parts ??= takeOver(this);
     super.connectedCallback();
     const { runtime, progress, lesson } = this.#services;
     runtime.addEventListener("change", this.#redraw);
@@ -70,27 +79,6 @@ export class BugbotTask extends LitElement {
     runtime.removeEventListener("change", this.#redraw);
     progress.removeEventListener("change", this.#redraw);
     this.#marking.cancel();
-  }
-
-  /** Takes the page's own nodes out of the element, to be drawn where they belong. */
-  #takeOver(): Pick<TaskFace, "title" | "statement" | "hints"> {
-    const part = (selector: string): Element => {
-      const found = this.querySelector(selector);
-      if (!found) throw new Error(`<bugbot-task name="${this.name}"> has no ${selector} in it`);
-      return found;
-    };
-    const title = part("h2, h3, h4");
-    title.id ||= `${this.id}-title`;
-    const hints = [...this.querySelectorAll("details.task-hint")].map((details) => {
-      details.querySelector("summary")?.remove();
-      const hint = document.createElement("div");
-      hint.className = "hint-text";
-      hint.append(...details.childNodes);
-      return hint;
-    });
-    const parts = { title, statement: part(".task-statement"), hints };
-    this.replaceChildren();
-    return parts;
   }
 
   // -- what a person does ------------------------------------------------------------
@@ -108,6 +96,9 @@ export class BugbotTask extends LitElement {
     this.#passedNow = mark.passed && this.#record?.state !== "passed";
     if (mark.passed) this.#warned = false;
     progress.marked(lesson.lesson, this.name, mark.passed);
+    this.#results ??= new TaskResults(progress, lesson.lesson, this.name);
+    await this.#results.take(mark);
+    this.requestUpdate();
     await this.updateComplete;
     const shown = this.querySelector(mark.passed ? ".task-status" : ".check-why");
     shown?.scrollIntoView({ block: "nearest" });
@@ -171,6 +162,11 @@ export class BugbotTask extends LitElement {
     lab.querySelector<HTMLElement>(".overhead-mat")?.focus({ preventScroll: true });
   }
 
+  async #saveRosMap(result: Result): Promise<void> {
+    const { saveResultMap } = await import("./result-map-file.ts");
+    this.#say(await saveResultMap(this.#services.runtime, result), null);
+  }
+
   #edited(): void {
     this.#program = this.#lab.program;
     this.#passedNow = false;
@@ -223,7 +219,7 @@ export class BugbotTask extends LitElement {
   override render(): TemplateResult {
     const { tasks } = this.#services.lesson;
     const names = Object.keys(tasks);
-    const parts = this.#parts ?? this.#takeOver();
+    const parts = this.#parts ?? takeOver(this);
     const marks = this.#marking.marks;
     const stale = marks !== null && marks.program !== this.#program;
     const opened = this.#opened;
@@ -244,6 +240,7 @@ export class BugbotTask extends LitElement {
         onNextHint: () => this.#openHint(),
         onHint: (index) => void this.#goToHint(index),
       },
+      results: marks && (this.#results?.card(marks.mark, this.#onRun) ?? null),
       stale,
       opened,
       solution: this.#warned ? "warned" : "closed",

@@ -85,13 +85,23 @@ export function saveFile(name: string, content: string | Blob, type = "text/plai
 }
 
 /** Lets a person choose a file; null if they do not. */
-export function chooseFile(accept: string): Promise<File | null> {
+export async function chooseFile(accept: string): Promise<File | null> {
+  return (await choose(accept, false))[0] ?? null;
+}
+
+/** Lets a person choose files together; none if they do not. */
+export function chooseFiles(accept: string): Promise<File[]> {
+  return choose(accept, true);
+}
+
+function choose(accept: string, multiple: boolean): Promise<File[]> {
   const input = document.createElement("input");
   input.type = "file";
   input.accept = accept;
+  input.multiple = multiple;
   return new Promise((resolve) => {
-    input.addEventListener("change", () => resolve(input.files?.[0] ?? null));
-    input.addEventListener("cancel", () => resolve(null));
+    input.addEventListener("change", () => resolve([...(input.files ?? [])]));
+    input.addEventListener("cancel", () => resolve([]));
     input.click();
   });
 }

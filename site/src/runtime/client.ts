@@ -92,6 +92,13 @@ export class Runtime extends EventTarget {
     return this.#begun(new Marker(request, listeners, workers, assets));
   }
 
+  /** Ask the site's own Python: JSON in and out. Starts Python if need be, and waits for it. */
+  async convert(request: string): Promise<string> {
+    const { workers, assets } = this.#staff();
+    const { convert } = await import("./converter.ts");
+    return convert(request, workers, assets);
+  }
+
   #begun<Work extends { done: Promise<unknown> }>(work: Work): Work {
     this.#work = work.done;
     this.#warmingUp?.stop();

@@ -24,6 +24,8 @@ export interface MarkProgress {
   done: number;
   /** Jobs known of so far; the judge may ask for more. */
   of: number;
+  /** The run begun last, and which of the marking's mats it is on; null before the first. */
+  now: { mat: number; mats: number; seed: number } | null;
 }
 
 export interface MarkListeners {
@@ -54,6 +56,9 @@ export class Marker {
   readonly #partners = new Set<Partner>();
   readonly #performances: Performance[] = [];
   #jobs = 0;
+  /** Names of the worlds that jobs are on, in the order they were asked for. */
+  readonly #mats = new Set<string>();
+  #place: Job["place"] = null;
   #over = false;
   #end: (marked: Marked) => void = () => {};
 
@@ -98,6 +103,7 @@ export class Marker {
         return { kind: "marked", mark: step.mark, performances: this.#performances };
       }
       this.#jobs += step.jobs.length;
+      for (const { place } of step.jobs) if (place) this.#mats.add(place.world.name);
       this.#tell();
       const results = await this.#perform(step.jobs);
       said = await ask(judge, { kind: "results", id: 0, results });
@@ -112,6 +118,8 @@ export class Marker {
     const lane = async (): Promise<void> => {
       for (let index = next++; index < jobs.length; index = next++) {
         const job = jobs[index] as Job;
+        this.#place = job.place;
+        this.#tell();
         const result = await this.#do(job);
         results[index] = result;
         this.#performances.push({ job, result });
@@ -161,7 +169,17 @@ export class Marker {
 
   #tell(): void {
     if (this.#over) return;
-    this.#listeners.onProgress?.({ done: this.#performances.length, of: this.#jobs });
+    const place = this.#place;
+    const mats = [...this.#mats];
+    this.#listeners.onProgress?.({
+      done: this.#performances.length,
+      of: this.#jobs,
+      now: place && {
+        mat: mats.indexOf(place.world.name) + 1,
+        mats: mats.length,
+        seed: place.seed,
+      },
+    });
   }
 }
 

@@ -32,12 +32,24 @@ export interface CheckMark {
   hint: number | null;
 }
 
+/** What the runs of a project are worth together. */
+export interface Score {
+  value: number;
+  /** The most there can be. */
+  of: number;
+  /** What counts, in words. */
+  how: string;
+}
+
 export interface Mark {
   format: 1;
   lesson: string;
   task: string;
   passed: boolean;
   checks: readonly CheckMark[];
+  /** The runs it reports: `readResults` reads them. */
+  results: readonly unknown[];
+  score: Score | null;
   /** Set if marking failed through a fault of ours: what happened. */
   ours: string | null;
 }
@@ -55,8 +67,8 @@ export interface Job {
 
 export type Step = { jobs: readonly Job[] } | { mark: Mark };
 
-/** Most jobs of one step, checks of a mark, cells of one place, characters of one text. */
-const MOST = { jobs: 500, checks: 200, cells: 40_000, text: 50_000 } as const;
+/** Most jobs of one step, checks and results of a mark, cells of one place, characters of a text. */
+const MOST = { jobs: 500, checks: 200, results: 500, cells: 40_000, text: 50_000 } as const;
 
 /** What a judge sent as a `step`. Throws an Error that says what is wrong with it. */
 export function readStep(text: string): Step {
@@ -89,7 +101,19 @@ function isMark(value: unknown): value is Mark {
     isText(value.task) &&
     typeof value.passed === "boolean" &&
     isTextOrNull(value.ours) &&
-    isList(value.checks, MOST.checks, isCheck)
+    isList(value.checks, MOST.checks, isCheck) &&
+    isList(value.results, MOST.results, isRecord) &&
+    (value.score === null || isScore(value.score))
+  );
+}
+
+function isScore(value: unknown): boolean {
+  return (
+    isRecord(value) &&
+    Number.isFinite(value.value) &&
+    isPositive(value.of) &&
+    isText(value.how) &&
+    value.how.length <= MOST.text
   );
 }
 

@@ -62,6 +62,8 @@ export type ToWorker =
   | { kind: "results"; id: number; results: readonly string[] }
   /** Do a job of a marking, given as JSON; answered by `performed`. */
   | { kind: "perform"; id: number; program: string; job: string }
+  /** Make or read a file, by `bridge.ros`; JSON, answered by `converted`. */
+  | { kind: "convert"; id: number; request: string }
   | { kind: "stdlib"; bytes: ArrayBuffer }
   | { kind: "package"; name: string; bytes: ArrayBuffer };
 
@@ -96,6 +98,8 @@ export type FromWorker =
   | { kind: "beat"; id: number; t: number }
   /** A job is done: its result as JSON, with the trace of the run. */
   | { kind: "performed"; id: number; result: string }
+  /** What was asked for by `convert`, as JSON. */
+  | { kind: "converted"; id: number; answer: string }
   /**
    * The interpreter can't be used any more: `recursion`, calls went deeper than the engine allows;
    * `fatal`, it broke down; `internal`, a fault of ours. `line` is the program's, if it is known;
@@ -134,6 +138,8 @@ export function isFromWorker(value: unknown): value is FromWorker {
       return hasId && isText(message.step, MOST_STEP);
     case "performed":
       return hasId && isText(message.result, MOST_RESULT);
+    case "converted":
+      return hasId && isText(message.answer, MOST_RESULT);
     case "died":
       return (
         (hasId || message.id === null) &&

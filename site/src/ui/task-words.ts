@@ -15,6 +15,12 @@ export const taskWords = {
   next: (title: string) => `Next task: ${title}`,
 };
 
+interface Count {
+  done: number;
+  of: number;
+  now: { mat: number; mats: number; seed: number } | null;
+}
+
 export const markWords = {
   check: "Check my work",
   checkKeys: `Check my work (${key}Shift+Enter)`,
@@ -28,13 +34,18 @@ export const markWords = {
     `You passed this task on ${at.toLocaleDateString("en-GB", { day: "numeric", month: "long", year: "numeric" })}.`,
   waiting: "Python is still starting. Your program is checked as soon as it is up.",
   marking: "Checking your program…",
-  count: (done: number, of: number) => `${done} of ${counted(of, "try", "tries")}`,
+  /** How many tries are done, and which run is under way, if there are several. */
+  count: ({ done, of, now }: Count) =>
+    `${done} of ${counted(of, "try", "tries")}${now && of > 1 ? `, now mat ${now.mat} of ${now.mats}, seed ${now.seed}` : ""}`,
   cancelled: "Checking was cancelled.",
   passed: (checks: number) =>
     checks === 1 ? "Passed. The check passes." : `Passed. All ${checks} checks pass.`,
   failed: (passed: number, of: number) =>
     `Not yet: ${passed} of ${counted(of, "check passes", "checks pass")}.`,
   failedFirst: (title: string) => `Look at “${title}” first.`,
+  best: ({ best, of }: { best: number; of: number }) =>
+    `Your best score is ${best.toFixed(1)} of ${of}.`,
+  score: ({ value, of }: { value: number; of: number }) => `Score ${value.toFixed(1)} of ${of}.`,
   stale: "Your program has changed since this mark.",
   ours: "Your program could not be marked. That is a fault of this site, not of your program.",
   oursDetail: "What went wrong",

@@ -17,6 +17,8 @@ export const overheadWords = {
   legend: "Shown on the mat",
   ask: "Point at or tap a cell, or press the arrow keys on the mat, to see what speaks for it.",
   bare: "bare mat",
+  remove: "Remove",
+  removeOf: (name: string) => `Remove ${name}`,
   truth: "really there",
   differs: "unlike the run before",
   otherSize: "cells of another size",

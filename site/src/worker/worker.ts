@@ -30,6 +30,11 @@ interface Marking {
   perform(job: string, program: string, beat: (t: number) => void): string;
 }
 
+/** `bridge.ros`, as far as it is called from here. */
+interface Ros {
+  convert(request: string): string;
+}
+
 interface Judge {
   hear(result: string): void;
   step(): string;
@@ -85,6 +90,9 @@ class Interpreter {
         this.#send({ kind: "imports", id: message.id, missing, hasStdlib: this.#hasStdlib });
       } else if (message.kind === "run") {
         this.#run(session, message);
+      } else if (message.kind === "convert") {
+        const ros = pyodide.pyimport("bridge.ros") as Ros;
+        this.#send({ kind: "converted", id: message.id, answer: ros.convert(message.request) });
       } else {
         this.#mark(pyodide.pyimport("bridge.marking") as Marking, message);
       }

@@ -1,10 +1,11 @@
 /**
  * What is on the mat, what it counts, and the switches for it.
- * May import `trace` and `ui`.
+ * May import `trace`, `ui` and, in this folder, `backdrop`.
  */
 import { html, nothing, type SVGTemplateResult, svg, type TemplateResult } from "lit";
 import type { Layer, Shape } from "../../trace/events.ts";
 import { overheadWords as words } from "../../ui/view-words.ts";
+import type { Backdrop } from "./backdrop.ts";
 
 /** A legend of more layers than this would be longer than the picture. */
 const MOST_KEYS = 8;
@@ -22,9 +23,13 @@ export interface Legend {
   outlined: number;
   /** How many cells differ from the run before; null if there is none to compare with. */
   differs: { shown: boolean; count: number | null } | null;
+  /** What lies under the layers, and whether it is shown. */
+  backdrop: Backdrop | null;
+  backdropShown: boolean;
   onLayer(name: string): void;
   onTruth(): void;
   onDiffers(): void;
+  onBackdrop(): void;
 }
 
 export function legend(of: Legend): TemplateResult {
@@ -70,7 +75,25 @@ export function legend(of: Legend): TemplateResult {
             toggle: of.onDiffers,
           })
     }
+    ${of.backdrop ? under(of.backdrop, of) : nothing}
   </div>`;
+}
+
+/** What lies under the layers, what there is to know of it, and the way to be rid of it. */
+function under({ name, note, onRemove }: Backdrop, of: Legend): TemplateResult {
+  return html`${key({
+    swatch: backdropSwatch,
+    name,
+    count: null,
+    shown: of.backdropShown,
+    toggle: of.onBackdrop,
+  })}
+    <span class="overhead-key overhead-note">
+      ${note}
+      <button type="button" aria-label=${words.removeOf(name)} @click=${onRemove}>
+        ${words.remove}
+      </button>
+    </span>`;
 }
 
 interface Key {
@@ -106,6 +129,8 @@ function swatch(shape: Shape, colour: string): TemplateResult {
   return tile(shapes[shape]);
 }
 
+const backdropSwatch = tile(svg`
+  <rect x="3" y="3" width="5" height="5" /><rect x="8" y="8" width="5" height="5" />`);
 const bareSwatch = tile(svg``);
 const truthSwatch = tile(svg`
   <rect class="truth" x="3" y="3" width="10" height="10" />

@@ -1,8 +1,8 @@
 /**
  * <overhead-view>: the mat from above at the shown moment, its legend, and what speaks for a cell.
  *
- * Set `player`; `earlier`, a run to compare the map with; `outlined`, cells to point out. `toPng()`
- * gives the picture as a file. May import `trace`, `player`, `ui` and the files of this folder.
+ * Set `player`; `earlier`, a run to compare the map with; `outlined`, cells to point out; `backdrop`,
+ * what lies under the layers. `toPng()` gives the picture as a file. May import `trace`, `player`, `ui` and the files of this folder.
  */
 import { html, LitElement, type TemplateResult } from "lit";
 import type { Player } from "../../player/player.ts";
@@ -10,6 +10,7 @@ import type { Cell } from "../../trace/frames.ts";
 import type { Trace } from "../../trace/trace.ts";
 import { overheadWords as words } from "../../ui/view-words.ts";
 import { onThemeChange } from "../theme-change.ts";
+import type { Backdrop } from "./backdrop.ts";
 import { Camera } from "./camera.ts";
 import { CellCursor } from "./cursor.ts";
 import { type CellStory, describeMoment, explainCell } from "./describe.ts";
@@ -31,16 +32,19 @@ export class OverheadView extends LitElement {
     player: { attribute: false },
     earlier: { attribute: false },
     outlined: { attribute: false },
+    backdrop: { attribute: false },
   };
   declare player: Player;
   declare earlier: Trace | null;
   declare outlined: readonly Cell[];
+  declare backdrop: Backdrop | null;
 
   readonly #id = `overhead-${++views}`;
   readonly #cursor = new CellCursor();
   readonly #inspector = new Inspector();
   #showsTruth = true;
   #showsDifferent = false;
+  #showsBackdrop = true;
   #sight: Sight | null = null;
   #picture: MatPicture | null = null;
   #readOut = "";
@@ -57,6 +61,7 @@ export class OverheadView extends LitElement {
     super();
     this.earlier = null;
     this.outlined = [];
+    this.backdrop = null;
   }
 
   /** In the page itself, not in a shadow: one style sheet, and ids that can be referred to. */
@@ -150,12 +155,17 @@ export class OverheadView extends LitElement {
       truth: this.#showsTruth,
       outlined: this.outlined.length,
       differs: this.earlier && { shown: this.#showsDifferent, count: different?.length ?? null },
+      backdrop: this.backdrop,
+      backdropShown: this.#showsBackdrop,
       onLayer: (name) => changed(() => this.#inspector.toggle(name))(),
       onTruth: changed(() => {
         this.#showsTruth = !this.#showsTruth;
       }),
       onDiffers: changed(() => {
         this.#showsDifferent = !this.#showsDifferent;
+      }),
+      onBackdrop: changed(() => {
+        this.#showsBackdrop = !this.#showsBackdrop;
       }),
     });
   }
@@ -196,6 +206,7 @@ export class OverheadView extends LitElement {
       t: this.player.time,
       layers: visible,
       truth: this.#showsTruth,
+      backdrop: this.#showsBackdrop ? this.backdrop : null,
       outlined: this.outlined,
       different: (this.#showsDifferent && different) || [],
       cell,

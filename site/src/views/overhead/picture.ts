@@ -8,6 +8,7 @@ import type { Layer } from "../../trace/events.ts";
 import type { Beam } from "../../trace/evidence.ts";
 import { type Cell, MAT_CM } from "../../trace/frames.ts";
 import type { Trace } from "../../trace/trace.ts";
+import type { Backdrop } from "./backdrop.ts";
 import { type Camera, WALL_CM } from "./camera.ts";
 import { paintGround, paintScale, paintTruth, paintTruthEdges } from "./ground.ts";
 import { paintLayer } from "./layers.ts";
@@ -32,6 +33,8 @@ export interface Moment {
   layers: readonly Layer[];
   /** Whether what is really there is shown. */
   truth: boolean;
+  /** What lies under the layers; null for nothing. */
+  backdrop: Backdrop | null;
   /** Cells to be outlined: a failed check's. */
   outlined: readonly Cell[];
   /** Cells that differ from the run before. */
@@ -46,7 +49,7 @@ export class MatPicture {
   readonly #palette: Palette;
   readonly #map = document.createElement("canvas");
   /** What the map canvas holds. */
-  #mapOf: Pick<Moment, "trace" | "layers" | "truth"> | null = null;
+  #mapOf: Pick<Moment, "trace" | "layers" | "truth" | "backdrop"> | null = null;
 
   constructor(camera: Camera, palette: Palette) {
     this.#camera = camera;
@@ -80,18 +83,19 @@ export class MatPicture {
     if (moment.cell) paintCursor(ctx, camera, palette, moment.cell);
   }
 
-  #holds({ trace, layers, truth }: Moment): boolean {
+  #holds({ trace, layers, truth, backdrop }: Moment): boolean {
     const held = this.#mapOf;
     return (
       held !== null &&
       held.trace === trace &&
       held.truth === truth &&
+      held.backdrop === backdrop &&
       held.layers.length === layers.length &&
       held.layers.every((layer, i) => layer === layers[i])
     );
   }
 
-  #paintMap({ trace, layers, truth }: Moment): void {
+  #paintMap({ trace, layers, truth, backdrop }: Moment): void {
     const ctx = this.#map.getContext("2d");
     if (!ctx) return;
     const camera = this.#camera;
@@ -101,12 +105,13 @@ export class MatPicture {
     paintGround(ctx, camera, palette);
     paintScale(ctx, camera, palette);
     if (truth) paintTruth(ctx, camera, palette, world);
+    backdrop?.paint(ctx, camera);
     let work = MOST_WORK;
     for (const layer of layers) {
       work = paintLayer(ctx, camera, layer, trace.pointsOf(layer), palette.font, work);
     }
     if (truth) paintTruthEdges(ctx, camera, palette, world);
-    this.#mapOf = { trace, layers, truth };
+    this.#mapOf = { trace, layers, truth, backdrop };
   }
 
   /** In the dark theme the mat is the same, only dimmer; in the light one this changes nothing. */

@@ -1,0 +1,66 @@
+/**
+ * The part of a lab's menu that is about ROS maps: the one drawn, and one from a file. What does
+ * the work is fetched on use. May import `runtime`, `trace`, `views` and `ui`.
+ */
+import { rosWords } from "../ui/ros-words.ts";
+import type { MenuGroup } from "./lab-menu.ts";
+import { type LabDesk, placeOfRun } from "./run-files.ts";
+import { chooseFiles } from "./text-file.ts";
+
+/** Ends of the names of files that a map consists of. */
+const ENDS = /\.(ya?ml|pgm|png|zip|bmp|jpe?g|gif|tiff?)$/i;
+const ACCEPT = ".yaml,.yml,.pgm,.png,.zip";
+
+export function mapItems(desk: LabDesk, told: (act: () => Promise<void>) => Promise<void>) {
+  const group: MenuGroup = {
+    title: rosWords.map,
+    items: [
+      { label: rosWords.save, act: () => void told(() => save(desk)) },
+      {
+        label: rosWords.open,
+        act: () =>
+          void told(async () => {
+            const files = await chooseFiles(ACCEPT);
+            if (files.length > 0) await openMap(desk, files);
+          }),
+      },
+      ...(desk.lab.backdrop ? [{ label: rosWords.remove, act: () => remove(desk) }] : []),
+    ],
+  };
+  return group;
+}
+
+/** Whether dropped files are meant as a map. */
+export function areMap(files: readonly File[]): boolean {
+  return files.length > 0 && files.every(({ name }) => ENDS.test(name));
+}
+
+/** Lays the map in these files on the mat; throws FileError. */
+export async function openMap(desk: LabDesk, files: readonly File[]): Promise<void> {
+  desk.say({ text: rosWords.reading });
+  const [{ readRosMap }, { backdropOf, isOnMat }] = await Promise.all([
+    import("./ros-map.ts"),
+    import("./ros-backdrop.ts"),
+  ]);
+  const map = await readRosMap(desk.runtime, files);
+  desk.lab.backdrop = backdropOf(map, () => remove(desk));
+  const [x, y] = map.origin;
+  const text = isOnMat(map)
+    ? rosWords.opened(map.name)
+    : rosWords.beyond(map.name, 100 * x, 100 * y);
+  desk.say({ text, action: { label: rosWords.remove, act: () => remove(desk) } });
+}
+
+function remove(desk: LabDesk): void {
+  desk.lab.backdrop = null;
+  desk.say(null);
+}
+
+async function save(desk: LabDesk): Promise<void> {
+  const { drawnAt, saveRosMap } = await import("./ros-map.ts");
+  const { world, seed } = placeOfRun(desk);
+  const { trace, time } = desk.shown;
+  const map = drawnAt(trace, time);
+  desk.say({ text: rosWords.working });
+  desk.say({ text: await saveRosMap(desk.runtime, `${world}-seed-${seed}`, map) });
+}
