@@ -187,18 +187,23 @@ class Reader {
 }
 
 /**
+ * The lesson's own words. They are wanted of a file with faults as well, where they may be anything.
  * @param {any} data
  * @param {string} slug
  * @returns {About}
  */
 function aboutOf(data, slug) {
+  /** @param {unknown} value */
+  const text = (value) => (typeof value === "string" ? value : null);
+  /** @param {unknown} value */
+  const texts = (value) => (Array.isArray(value) ? value.flatMap((each) => text(each) ?? []) : []);
   return {
-    code: data?.code ?? null,
-    title: curly(data?.title ?? slug),
-    summary: curly(data?.summary ?? ""),
-    minutes: data?.minutes ?? null,
-    goals: data?.goals ?? [],
-    assumes: data?.assumes ?? [],
+    code: text(data?.code),
+    title: curly(text(data?.title) ?? slug),
+    summary: curly(text(data?.summary) ?? ""),
+    minutes: typeof data?.minutes === "number" ? data.minutes : null,
+    goals: texts(data?.goals),
+    assumes: texts(data?.assumes),
   };
 }
 
