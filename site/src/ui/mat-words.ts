@@ -51,7 +51,6 @@ export const matWords = {
   ask: "Drag on the mat to draw a wall or a box. Drag things to move them, and their handles to change their size.",
   askKeys: "Without a mouse: N adds a box, Page Down chooses, the arrow keys move.",
   onMat: "On the mat",
-  robot: "robot",
   robotCapital: "Robot",
   x: "x",
   y: "y",
@@ -89,7 +88,7 @@ export const matWords = {
   nothingToRedo: "There is nothing to do again.",
   full: (most: number) => `A mat holds ${most} obstacles at most.`,
   saved: (name: string) =>
-    `${name} is saved. Put it into a lesson’s worlds folder, or run it with bugbot run … --world ${name}.`,
+    `${name} is saved. Put it into a lesson’s worlds folder, or run a program on it: python -m bugbot run program.py --world ${name}.`,
   opened: (name: string) => `This is the mat of ${name}, kept with yours from now on.`,
   openedBefore: (name: string) => `You have the mat of ${name} already: here it is.`,
   notKept:
@@ -148,7 +147,6 @@ export const offeredMatWords = {
   keeps: "If you take it, it is kept with your mats on this device.",
   take: "Take this mat",
   refuse: "Leave it",
-  taken: (title: string) => `${title} is now among your mats.`,
 };
 
 export const labMatWords = {

@@ -4,38 +4,30 @@
  * May import `trace` and `ui`.
  */
 import type { World } from "../../trace/events.ts";
-import { MAT_CM } from "../../trace/frames.ts";
 import { matWords, ownMatsWords } from "../../ui/mat-words.ts";
-import { gap, MOST_OBSTACLES } from "./check-world.ts";
+import { MOST_OBSTACLES } from "./check-world.ts";
 import { History } from "./history.ts";
 import { sameMat } from "./mat-file.ts";
 import type { OwnMat, OwnMats } from "./own-mats.ts";
-import {
-  added,
-  copyOf,
-  grown,
-  kindOf,
-  nudged,
-  type Part,
-  type Rectangle,
-  without,
-} from "./shapes.ts";
+import { added, copyOf, freePlace, grown, kindOf, nudged, type Part, without } from "./shapes.ts";
 
 /** A change is kept once nothing has followed for this long; leaving the page keeps it at once. */
 const PAUSE_MS = 250;
-/** Sides of a box that is added without being drawn [cm]. */
-const BOX_CM = 20;
 
 interface State {
   world: World;
   chosen: Part | null;
 }
 
-/** What was done, and how it is taken back where that is not a step of the mat's own. */
+/** What was done, and how it can be taken back. */
 export interface Said {
+  /** What it is about: the mat on the desk, or the mats of this device. */
+  about: "mat" | "mats";
   text: string;
   undo?: () => void;
 }
+
+const NOTHING: Said = { about: "mat", text: "" };
 
 export class MatDesk extends EventTarget {
   readonly #own: OwnMats;
@@ -44,7 +36,7 @@ export class MatDesk extends EventTarget {
   #timer: ReturnType<typeof setTimeout> | undefined;
   /** What this tab kept or found last: anything else on the device is another tab's. */
   #last: World | null = null;
-  said: Said = { text: "" };
+  said: Said = NOTHING;
 
   /** With the mat of that name; the last one changed; or a new one. */
   constructor(own: OwnMats, asked: string | null = null) {
@@ -54,7 +46,7 @@ export class MatDesk extends EventTarget {
     const world = kept ?? this.#fresh(null);
     this.#last = kept ?? null;
     this.#history = new History<State>({ world, chosen: null });
-    if (asked !== null && !kept) this.said = { text: matWords.unknown };
+    if (asked !== null && !kept) this.said = { about: "mat", text: matWords.unknown };
   }
 
   get world(): World {
@@ -82,7 +74,7 @@ export class MatDesk extends EventTarget {
   /** A new state of the mat; changes with the same key one after another are one step. */
   change(world: World, key: string | null = null, chosen: Part | null = this.chosen): void {
     this.#history.change({ world, chosen }, key);
-    this.said = { text: "" };
+    this.said = NOTHING;
     this.#keepSoon();
     this.#changed();
   }
@@ -128,15 +120,10 @@ export class MatDesk extends EventTarget {
   /** A box where there is room for one. */
   addBox(): void {
     if (!this.hasRoom()) return;
-    const box = this.#free();
-    this.add(box);
-    this.say(matWords.added(kindOf(box)));
-  }
-
-  /** One more obstacle, chosen. */
-  add(box: Rectangle, key: string | null = null): void {
+    const box = freePlace(this.world);
     const { world } = this;
-    this.change(added(world, { ...box, name: kindOf(box) }), key, world.obstacles.length);
+    this.change(added(world, { ...box, name: kindOf(box) }), null, world.obstacles.length);
+    this.say(matWords.added(kindOf(box)));
   }
 
   /** Whether one more obstacle goes on the mat; says so if not. */
@@ -174,8 +161,8 @@ export class MatDesk extends EventTarget {
     this.say(done ? matWords.redone : matWords.nothingToRedo);
   }
 
-  say(text: string, undo?: () => void): void {
-    this.said = undo ? { text, undo } : { text };
+  say(text: string, undo?: () => void, about: Said["about"] = "mat"): void {
+    this.said = { about, text, ...(undo ? { undo } : {}) };
     this.#changed();
   }
 
@@ -218,11 +205,12 @@ export class MatDesk extends EventTarget {
       const next = this.mats[0]?.world;
       this.#show(next ?? this.#fresh(null), next ?? null);
     }
-    this.say(ownMatsWords.removed(gone.title), () => {
+    const undo = (): void => {
       bringBack();
       this.open(name);
-      this.say(ownMatsWords.back(gone.title));
-    });
+      this.say(ownMatsWords.back(gone.title), undefined, "mats");
+    };
+    this.say(ownMatsWords.removed(gone.title), undo, "mats");
   }
 
   /** Keeps the mat as it is, also one that nothing has been done to; false if the device won't. */
@@ -249,7 +237,7 @@ export class MatDesk extends EventTarget {
     if (theirs && this.#last && !sameMat(theirs, this.#last) && !sameMat(theirs, this.world)) {
       this.#last = theirs;
       this.#history.change({ world: theirs, chosen: null });
-      this.said = { text: matWords.elsewhere };
+      this.said = { about: "mat", text: matWords.elsewhere };
     }
     this.#changed();
   }
@@ -263,7 +251,7 @@ export class MatDesk extends EventTarget {
   #show(world: World, last: World | null): void {
     this.#history = new History<State>({ world, chosen: null });
     this.#last = last;
-    this.said = { text: "" };
+    this.said = NOTHING;
     this.#changed();
   }
 
@@ -274,29 +262,6 @@ export class MatDesk extends EventTarget {
       title: from ? matWords.copyTitle(from.title) : matWords.newTitle,
       description: matWords.description,
     };
-  }
-
-  /** Where a new box stands clear of everything, from the middle outwards; or in the middle. */
-  #free(): Rectangle {
-    const { obstacles, start } = this.world;
-    const size = { width: BOX_CM, height: BOX_CM };
-    const middle = (MAT_CM - BOX_CM) / 2;
-    const places: Rectangle[] = [];
-    for (let x = BOX_CM / 2; x <= MAT_CM - BOX_CM; x += BOX_CM) {
-      for (let y = BOX_CM / 2; y <= MAT_CM - BOX_CM; y += BOX_CM) places.push({ x, y, ...size });
-    }
-    const far = ({ x, y }: Rectangle): number => Math.hypot(x - middle, y - middle);
-    places.sort((a, b) => far(a) - far(b));
-    const clear = (box: Rectangle): boolean =>
-      gap({ ...box, name: "" }, start.x, start.y) > BOX_CM / 2 &&
-      obstacles.every(
-        (each) =>
-          each.x >= box.x + BOX_CM ||
-          each.x + each.width <= box.x ||
-          each.y >= box.y + BOX_CM ||
-          each.y + each.height <= box.y,
-      );
-    return places.find(clear) ?? { x: middle, y: middle, ...size };
   }
 
   #changed(): void {

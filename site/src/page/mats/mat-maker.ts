@@ -9,37 +9,27 @@ import { html, LitElement, nothing, type TemplateResult } from "lit";
 import type { World } from "../../trace/events.ts";
 import { recall, remember } from "../../ui/dom.ts";
 import { icons } from "../../ui/icons.ts";
-import { matKeyWords, matShareWords, matWords as words } from "../../ui/mat-words.ts";
+import { matKeyWords, matWords as words } from "../../ui/mat-words.ts";
 import { showKeyList } from "../keys-dialog.ts";
-import { showLink } from "../share-dialog.ts";
-import type { ProgramStore } from "../storage.ts";
-import { chooseFile, FileError, saveFile } from "../text-file.ts";
 import { checkMat, type Finding } from "./mat-checks.ts";
 import { MatDesk } from "./mat-desk.ts";
 import { MatDrag } from "./mat-drag.ts";
 import { chosenFields, partList, textField } from "./mat-fields.ts";
-import { linkToMat, matFile, readMatFile } from "./mat-file.ts";
 import { matKey } from "./mat-keys.ts";
 import "./mat-maker.css";
-import { HEIGHT, matPicture, WIDTH } from "./mat-picture.ts";
+import { matPicture, VIEW_BOX, WIDTH } from "./mat-picture.ts";
+import { MatWays, type Place } from "./mat-ways.ts";
 import { OwnMats } from "./own-mats.ts";
-import { ownMatsList } from "./own-mats-list.ts";
+import { ownMatsList, saidOf } from "./own-mats-list.ts";
 import { type Part, SNAP_CM } from "./shapes.ts";
 
 /** What is chosen is read out when the keys have rested so long [ms]. */
 const REST_MS = 400;
 const SNAP = "mat-snap";
 
-interface Place {
-  store: ProgramStore;
-  /** The worlds of the site, to make a mat from. */
-  worlds: readonly World[];
-  /** Address of the lab's own page. */
-  labAddress: string;
-}
-
 class MatMaker extends LitElement {
-  readonly #place: Place;
+  readonly #worlds: readonly World[];
+  readonly #ways: MatWays;
   readonly #desk: MatDesk;
   readonly #drag: MatDrag;
   readonly #own: OwnMats;
@@ -49,6 +39,9 @@ class MatMaker extends LitElement {
   #readOut = "";
   #resting: ReturnType<typeof setTimeout> | undefined;
   #stopElsewhere: (() => void) | null = null;
+  #hadFocus = false;
+  /** The button that brings a deleted mat back, once it has been pointed out. */
+  #undo: HTMLElement | null = null;
   readonly #onLeave = (): void => void this.#desk.flush();
   readonly #resize = new ResizeObserver(() => {
     this.#scale = this.#picture.getBoundingClientRect().width / WIDTH || this.#scale;
@@ -57,9 +50,10 @@ class MatMaker extends LitElement {
 
   constructor(place: Place, asked: string | null) {
     super();
-    this.#place = place;
+    this.#worlds = place.worlds;
     this.#own = new OwnMats(place.store);
     this.#desk = new MatDesk(this.#own, asked);
+    this.#ways = new MatWays(this.#desk, place);
     this.#drag = new MatDrag(this.#desk, () => (this.#snaps ? SNAP_CM : 0));
     this.#desk.addEventListener("change", () => this.requestUpdate());
   }
@@ -85,6 +79,39 @@ class MatMaker extends LitElement {
 
   override firstUpdated(): void {
     this.#resize.observe(this.#picture);
+  }
+
+  /** What had the focus may go: it is held here, for the keys to go on. */
+  override willUpdate(): void {
+    this.#hadFocus = this.contains(document.activeElement);
+  }
+
+  override updated(): void {
+    const undo = this.querySelector<HTMLElement>(".own-mats .said button");
+    if (undo && undo !== this.#undo) undo.focus();
+    else if (this.#hadFocus && document.activeElement === document.body) this.#focusMat();
+    this.#undo = undo;
+    this.#showAddress();
+  }
+
+  /** A reload shows the same mat again. */
+  #showAddress(): void {
+    const { mats, world } = this.#desk;
+    const query = new URLSearchParams(location.search);
+    query.delete("mat");
+    if (mats.some(({ world: { name } }) => name === world.name)) query.set("mat", world.name);
+    const search = query.size > 0 ? `?${query}` : "";
+    if (search !== location.search) history.replaceState(null, "", location.pathname + search);
+  }
+
+  /** Another mat is on the desk: there it is. */
+  #goToDesk(): void {
+    this.querySelector(".mat-desk")?.scrollIntoView();
+    this.#focusMat();
+  }
+
+  #focusMat(): void {
+    this.querySelector<HTMLElement>(".mat-hold")?.focus({ preventScroll: true });
   }
 
   get #picture(): SVGSVGElement {
@@ -122,13 +149,13 @@ class MatMaker extends LitElement {
           </div>
         </div>
         <div class="mat-files">
-          <button type="button" @click=${this.#save}>${words.save}</button>
-          <button type="button" @click=${this.#open}>${words.open}</button>
-          <button type="button" @click=${this.#share}>${words.share}</button>
+          <button type="button" @click=${() => this.#ways.save()}>${words.save}</button>
+          <button type="button" @click=${() => this.#ways.open()}>${words.open}</button>
+          <button type="button" @click=${() => this.#ways.share()}>${words.share}</button>
           <button type="button" class="keys" @click=${() => showKeyList(matKeyWords)}>${words.keys}</button>
         </div>
       </section>
-      ${ownMatsList(this.#desk, this.#place.worlds)}
+      ${ownMatsList(this.#desk, this.#worlds, () => this.#goToDesk())}
       <p class="out-of-sight" role="status">${this.#readOut}</p>`;
   }
 
@@ -140,13 +167,13 @@ class MatMaker extends LitElement {
 
   #tryIt(): TemplateResult {
     const usable = this.#finding.kind !== "fault";
-    return html`<button type="button" class="go" ?disabled=${!usable} @click=${this.#try}>
+    return html`<button type="button" class="go" ?disabled=${!usable} @click=${() => this.#ways.tryInLab()}>
       ${icons.play}${words.tryIt}
     </button>`;
   }
 
   #stage(): TemplateResult {
-    const { world, chosen, said } = this.#desk;
+    const { world, chosen } = this.#desk;
     const { kind, text } = this.#finding;
     const stories = words.described(world.obstacles, this.#storyOf("robot"));
     return html`<div class="mat-tools">
@@ -165,7 +192,7 @@ class MatMaker extends LitElement {
       >
         <svg
           class="mat-picture"
-          viewBox="-17 -4 ${WIDTH} ${HEIGHT}"
+          viewBox=${VIEW_BOX}
           role="img"
           aria-label=${words.mat}
           aria-describedby="mat-described"
@@ -174,7 +201,7 @@ class MatMaker extends LitElement {
           @pointerup=${(event: PointerEvent) => this.#drag.up(event)}
           @pointercancel=${() => this.#drag.cancel()}
           @dragover=${(event: DragEvent) => event.preventDefault()}
-          @drop=${this.#onDrop}
+          @drop=${(event: DragEvent) => this.#ways.drop(event)}
         >
           ${matPicture({ world, chosen, scale: this.#scale, finger: this.#finger })}
         </svg>
@@ -188,8 +215,7 @@ class MatMaker extends LitElement {
         <p class="check" data-kind=${kind} role="status" aria-label=${words.checks}>
           ${kind === "fine" ? icons.passed : kind === "fault" ? icons.failed : nothing}${text}
         </p>
-        <p role="status">${said.text}</p>
-        ${said.undo ? html`<button type="button" @click=${said.undo}>${words.undo}</button>` : nothing}
+        ${saidOf(this.#desk, "mat")}
       </div>`;
   }
 
@@ -237,48 +263,6 @@ class MatMaker extends LitElement {
   #onSnap({ target }: Event): void {
     remember(SNAP, (target as HTMLInputElement).checked ? "on" : "off");
     this.requestUpdate();
-  }
-
-  /** The lab finds the mat on this device; where nothing is kept, the link carries it. */
-  async #try(): Promise<void> {
-    const { labAddress } = this.#place;
-    const { world } = this.#desk;
-    const kept = this.#desk.keep();
-    location.href = kept
-      ? `${labAddress}?${new URLSearchParams({ world: world.name })}`
-      : await linkToMat(labAddress, world);
-  }
-
-  #save(): void {
-    const taken = this.#place.worlds.map(({ name }) => name);
-    const { name, text } = matFile(this.#desk.world, taken);
-    saveFile(name, text, "application/json");
-    this.#desk.say(words.saved(name));
-  }
-
-  async #open(): Promise<void> {
-    const file = await chooseFile(".json,application/json");
-    if (file) await this.#openFile(file);
-  }
-
-  #onDrop(event: DragEvent): void {
-    event.preventDefault();
-    const file = event.dataTransfer?.files[0];
-    if (file) void this.#openFile(file);
-  }
-
-  async #openFile(file: File): Promise<void> {
-    try {
-      this.#desk.take(await readMatFile(file), file.name);
-    } catch (error) {
-      if (!(error instanceof FileError)) throw error;
-      this.#desk.say(error.message);
-    }
-  }
-
-  async #share(): Promise<void> {
-    const link = await linkToMat(this.#place.labAddress, this.#desk.world);
-    showLink(link, () => this.#save(), matShareWords);
   }
 }
 

@@ -9,7 +9,7 @@ import { direction, MAT_CM, ROBOT_RADIUS_CM } from "../../trace/frames.ts";
 import type { Part, Point, Side } from "./shapes.ts";
 
 /** Room around the mat [cm]: its wall, and the numbers of its scale to the left and below. */
-const ROOM = { left: 17, right: 4, top: 4, bottom: 13 } as const;
+const ROOM = { left: 20, right: 4, top: 4, bottom: 13 } as const;
 const WALL_CM = 3;
 const SCALE_EVERY_CM = 50;
 const LINES_EVERY_CM = 10;
@@ -24,7 +24,8 @@ const CORNERS_FROM_PX = 70;
 const EASY_PX = { mouse: 14, finger: 32 } as const;
 
 export const WIDTH = ROOM.left + MAT_CM + ROOM.right;
-export const HEIGHT = ROOM.top + MAT_CM + ROOM.bottom;
+const HEIGHT = ROOM.top + MAT_CM + ROOM.bottom;
+export const VIEW_BOX = `${-ROOM.left} ${-ROOM.top} ${WIDTH} ${HEIGHT}`;
 
 export interface MatLook {
   world: World;
@@ -83,7 +84,7 @@ function scaleNumbers(scale: number): SVGTemplateResult[] {
   for (let cm = 0; cm <= MAT_CM; cm += SCALE_EVERY_CM) {
     const last = cm === MAT_CM;
     marks.push(
-      svg`<text class="scale" font-size=${size} text-anchor="end" x="-6"
+      svg`<text class="scale" font-size=${size} text-anchor="end" x=${-WALL_CM - 4 / scale}
         y=${down(cm) + (last ? size * 0.8 : cm === 0 ? 0 : size * 0.35)}>${cm}</text>`,
       svg`<text class="scale" font-size=${size} y=${MAT_CM + WALL_CM + size + 1}
         text-anchor=${last ? "end" : cm === 0 ? "start" : "middle"} x=${cm}>${cm}${last ? " cm" : ""}</text>`,

@@ -11,6 +11,8 @@ export const SNAP_CM = 5;
 export const SNAP_DEG = 15;
 /** The least side that can be drawn or typed [cm]. */
 export const LEAST_SIDE_CM = 1;
+/** Sides of a box that is added without being drawn [cm]. */
+const BOX_CM = 20;
 /** A rectangle this much longer than it is wide is called a wall until it has a better name. */
 const WALL_RATIO = 3;
 
@@ -144,4 +146,29 @@ export function grown(world: World, part: Part, dx: number, dy: number): World {
 /** What something of that shape is called before it has a name of its own. */
 export function kindOf({ width, height }: Rectangle): "wall" | "box" {
   return Math.max(width, height) >= WALL_RATIO * Math.min(width, height) ? "wall" : "box";
+}
+
+/** Where a new box stands clear of everything, as near the middle as can be; else in the middle. */
+export function freePlace({ obstacles, start }: World): Rectangle {
+  const middle = (MAT_CM - BOX_CM) / 2;
+  const places: Rectangle[] = [];
+  for (let x = BOX_CM / 2; x <= MAT_CM - BOX_CM; x += BOX_CM) {
+    for (let y = BOX_CM / 2; y <= MAT_CM - BOX_CM; y += BOX_CM) {
+      places.push({ x, y, width: BOX_CM, height: BOX_CM });
+    }
+  }
+  const far = ({ x, y }: Rectangle): number => Math.hypot(x - middle, y - middle);
+  const robot = { x: start.x - BOX_CM / 2, y: start.y - BOX_CM / 2, width: BOX_CM, height: BOX_CM };
+  const clear = (box: Rectangle): boolean => ![robot, ...obstacles].some((one) => meet(one, box));
+  places.sort((a, b) => far(a) - far(b));
+  return places.find(clear) ?? { x: middle, y: middle, width: BOX_CM, height: BOX_CM };
+}
+
+function meet(one: Rectangle, other: Rectangle): boolean {
+  return (
+    one.x < other.x + other.width &&
+    other.x < one.x + one.width &&
+    one.y < other.y + other.height &&
+    other.y < one.y + one.height
+  );
 }
