@@ -1,0 +1,89 @@
+"""A run's own looks with a drift put in: what is wrong with each map is worked out anew here."""
+
+from math import radians
+
+from grader import check
+from mapping.frontiers import known_states
+from mapping.mapper import Mapper
+from mapping.score import score
+
+DRIFTS = [0, 0.5, 1, 2, 3]
+
+
+def wrong_with(run, added):
+    """How much of the map is wrong if `added(t)` degrees are added to the heading of each look."""
+    mapper = Mapper()
+    for look in run.scans:
+        mapper.add_scan(look.x, look.y, look.heading + added(look.t), look.beams)
+    states = known_states(mapper.grid.cells)
+    return score(mapper.grid, states, run.obstacles).wrong_walls_percent
+
+
+def printed(run):
+    return [run.number_after(f"drift {rate}:") for rate in DRIFTS]
+
+
+def slip(said, hint, turned):
+    """A slip that shows in the numbers: `turned(i, t)` is how far it takes the i-th drift to be."""
+
+    def looks_so(run):
+        wanted = [wrong_with(run, lambda t, i=i: turned(i, t)) for i in range(len(DRIFTS))]
+        return all(abs(a - b) < 0.2 for a, b in zip(printed(run), wanted))
+
+    return said, looks_so, hint
+
+
+SLIPS = [
+    (
+        "all the numbers are the same: make each map from drifted(looks, rate)",
+        lambda run: len(set(printed(run))) == 1,
+        2,
+    ),
+    slip(
+        "a drift grows with time: after t seconds it is rate * t",
+        0,
+        lambda i, t: DRIFTS[i],
+    ),
+    slip(
+        "the drift has the wrong sign: it is added to the heading",
+        0,
+        lambda i, t: -DRIFTS[i] * t,
+    ),
+    slip(
+        "rate is per second, not per look: each look brings its own time",
+        0,
+        lambda i, t: DRIFTS[i] * 10 * t,
+    ),
+    slip(
+        "each drift is added to the looks that have drifted already: begin with `looks` each time",
+        1,
+        lambda i, t: sum(DRIFTS[: i + 1]) * t,
+    ),
+    slip(
+        "degrees look taken for radians: headings here are in degrees",
+        0,
+        lambda i, t: radians(DRIFTS[i] * t),
+    ),
+]
+
+
+def numbers(task, seed):
+    run = task.run("hall", seed=seed, seconds=60, mistakes=SLIPS)
+    for rate, got in zip(DRIFTS, printed(run)):
+        wanted = wrong_with(run, lambda t, rate=rate: rate * t)
+        task.near(got, wanted, 0.2, f"the share of wrong walls with a drift of {rate}", run=run)
+    return run
+
+
+@check("The damage for each drift", hint=2)
+def each(task):
+    numbers(task, 41)
+
+
+@check("With other noise, and the last map drawn", hint=2)
+def drawn(task):
+    run = numbers(task, 42)
+    black, red = run.layer("occupied"), run.layer("wrong")
+    share = 100 * len(red) / max(1, len(black))
+    what = "the share of red dots on the map of the last drift"
+    task.near(share, printed(run)[-1], 0.2, what, run=run)
