@@ -13,12 +13,15 @@ print("sum", numpy.arange(5).sum())
 `;
 const SOLUTION = join(ROOT, "lessons/u8-1-a-map-of-cells/cell-of-a-point/solution.py");
 
+// All of the site is fetched and checked, while Python runs: on a busy machine that takes a while.
+test.describe.configure({ timeout: 120_000 });
+
 async function openPanel(page: Page): Promise<Locator> {
   await page.getByRole("button", { name: "Use offline" }).click();
   return page.getByRole("dialog", { name: "Use offline" });
 }
 
-test("after one visit everything works with the network cut, until it is removed", async ({
+test("after one visit everything works with the network cut, until it is removed @once", async ({
   page,
   app,
   site,
@@ -56,7 +59,7 @@ test("after one visit everything works with the network cut, until it is removed
   expect(await page.evaluate(() => caches.keys())).toEqual([]);
 });
 
-test("a new version waits until it is wanted, and no page loses what it has", async ({
+test("a new version waits until it is wanted, and no page loses what it has @once", async ({
   page,
   app,
   site,

@@ -66,9 +66,13 @@ class OfflinePanel {
       ${this.#working ? html`<progress aria-label=${words.title}></progress>` : nothing}
       <footer>
         <p role="status">${this.#said}</p>
-        <button type="button" class="go" ?disabled=${this.#working} @click=${() => this.#keep()}>
-          ${words.keep}
-        </button>
+        ${
+          this.#working
+            ? nothing
+            : html`<button type="button" class="go" @click=${() => this.#keep()}>
+                ${words.keep}
+              </button>`
+        }
       </footer>`;
   }
 

@@ -1,0 +1,162 @@
+/** What the service worker keeps, gives out and clears away, tried without one. */
+import { expect, test } from "@playwright/test";
+import { Shelf } from "../../site/src/offline/shelf.ts";
+import { addressOf, pathAt, type SiteFiles } from "../../site/src/offline/site-files.ts";
+
+const SCOPE = "https://example.org/some/school/";
+const OTHERS = "bugbot:/another/school/:lasting";
+
+/** Caches as a browser has them, as far as they are used. */
+class FakeCaches {
+  readonly stores = new Map<string, Map<string, Response>>([[OTHERS, new Map()]]);
+
+  async open(name: string): Promise<Cache> {
+    const store = this.stores.get(name) ?? new Map<string, Response>();
+    this.stores.set(name, store);
+    return {
+      match: async (address: string) => store.get(address)?.clone(),
+      put: async (address: string, response: Response) => void store.set(address, response),
+      keys: async () => [...store.keys()].map((address) => new Request(address)),
+      delete: async (address: string) => store.delete(address),
+    } as unknown as Cache;
+  }
+
+  async keys(): Promise<string[]> {
+    return [...this.stores.keys()];
+  }
+
+  async delete(name: string): Promise<boolean> {
+    return this.stores.delete(name);
+  }
+}
+
+/** A site of these files, and a host that has them; `asked` notes what was asked of it, and how. */
+function world(caches = new FakeCaches()) {
+  const asked: string[] = [];
+  const broken = new Set<string>();
+  const fetch = async (address: string, { cache, integrity }: RequestInit): Promise<Response> => {
+    asked.push(`${cache ?? "plain"} ${address.slice(SCOPE.length)} ${integrity ?? ""}`.trim());
+    if (broken.has(address)) throw new TypeError("Failed to fetch");
+    return new Response(`what ${address} has`);
+  };
+  const shelf = (version: string, paths: readonly string[]): Shelf => {
+    const files = Object.fromEntries(paths.map((path) => [path, { bytes: 10, sha256: path }]));
+    const site: SiteFiles = { version, files };
+    return new Shelf(SCOPE, site, { caches: caches as unknown as CacheStorage, fetch });
+  };
+  return { caches, asked, broken, shelf };
+}
+
+const ONE = [
+  "index.html",
+  "lab/index.html",
+  "assets/a-1.js",
+  "python/core-1.bin",
+  "python/numpy-1.bin",
+];
+const TWO = [
+  "index.html",
+  "lab/index.html",
+  "assets/a-2.js",
+  "python/core-2.bin",
+  "python/numpy-1.bin",
+];
+
+test("addresses are those of folders, and only those of the site's own folder", () => {
+  expect(addressOf(SCOPE, "lab/index.html")).toBe(`${SCOPE}lab/`);
+  expect(addressOf(SCOPE, "index.html")).toBe(SCOPE);
+  expect(pathAt(SCOPE, `${SCOPE}lab/?world=empty#code=x`)).toBe("lab/index.html");
+  expect(pathAt(SCOPE, SCOPE)).toBe("index.html");
+  expect(pathAt(SCOPE, "https://example.org/some/other/")).toBeNull();
+  expect(pathAt(SCOPE, "https://elsewhere.org/some/school/")).toBeNull();
+});
+
+test("the first version keeps its pages, each as it was published, and Python when asked", async () => {
+  const { shelf, asked } = world();
+  const first = shelf("one", ONE);
+  await first.install();
+  // Pages are asked of the host anew; what lasts may come from the browser's own cache.
+  expect(asked).toEqual([
+    "no-cache  sha256-index.html",
+    "no-cache lab/ sha256-lab/index.html",
+    "force-cache assets/a-1.js sha256-assets/a-1.js",
+  ]);
+  expect((await first.status()).python).toEqual({ have: 0, of: 10 });
+  await first.keep(["python"], [`${SCOPE}python/numpy-1.bin`, "https://elsewhere.org/x.js"]);
+  expect(await first.status()).toEqual({
+    site: { have: 30, of: 30 },
+    python: { have: 10, of: 10 },
+    numpy: { have: 10, of: 10 },
+  });
+  const count = asked.length;
+  await first.keep(["site", "python"]);
+  expect(asked.length, "nothing is fetched twice").toBe(count);
+});
+
+test("requests are answered from the device, and other sites' are left alone", async () => {
+  const { shelf, asked } = world();
+  const first = shelf("one", ONE);
+  await first.install();
+  asked.length = 0;
+  const page = await first.answer(new Request(`${SCOPE}lab/?world=empty`));
+  expect(await page.text()).toBe(`what ${SCOPE}lab/ has`);
+  expect((await first.answer(new Request(`${SCOPE}lab`))).headers.get("Location")).toBe(
+    `${SCOPE}lab/`,
+  );
+  expect(asked).toEqual([]);
+  // What is used is kept.
+  await first.answer(new Request(`${SCOPE}python/numpy-1.bin`));
+  await first.answer(new Request(`${SCOPE}python/numpy-1.bin`));
+  expect(asked).toEqual(["plain python/numpy-1.bin"]);
+  expect(first.answers(`${SCOPE}not-there/`)).toBe(false);
+  expect(first.answers("https://example.org/")).toBe(false);
+});
+
+test("a new version brings what the old one had, and the old one stays until it is cleared away", async () => {
+  const { shelf, asked, caches } = world();
+  const first = shelf("one", ONE);
+  await first.install();
+  await first.keep(["python", "numpy"]);
+  asked.length = 0;
+  const second = shelf("two", TWO);
+  await second.install();
+  // Not NumPy: it is the same file.
+  expect(asked.map((line) => line.split(" ")[1]).sort()).toEqual(
+    ["", "assets/a-2.js", "lab/", "python/core-2.bin"].sort(),
+  );
+  asked.length = 0;
+  // A page of the old version that is still open.
+  await second.answer(new Request(`${SCOPE}assets/a-1.js`));
+  expect(asked).toEqual([]);
+  await second.tidy();
+  const lasting = caches.stores.get("bugbot:/some/school/:lasting");
+  expect([...(lasting?.keys() ?? [])].map((address) => address.slice(SCOPE.length)).sort()).toEqual(
+    TWO.slice(2).sort(),
+  );
+  expect(await caches.keys()).toEqual([
+    OTHERS,
+    "bugbot:/some/school/:lasting",
+    "bugbot:/some/school/:version:two",
+  ]);
+});
+
+test("a new version without Python before does not fetch it, and a file that can't be had is named", async () => {
+  const { shelf, asked, broken } = world();
+  await shelf("one", ONE).install();
+  asked.length = 0;
+  broken.add(`${SCOPE}assets/a-2.js`);
+  await expect(shelf("two", TWO).install()).rejects.toThrow(
+    "assets/a-2.js can't be had, or is not as it was published",
+  );
+  expect(asked.some((line) => line.includes("python/"))).toBe(false);
+});
+
+test("what is removed does not come back, and another copy of the site loses nothing", async () => {
+  const { shelf, caches } = world();
+  const first = shelf("one", ONE);
+  await first.install();
+  await first.remove();
+  await first.answer(new Request(`${SCOPE}python/core-1.bin`));
+  await first.keep(["site"]);
+  expect(await caches.keys()).toEqual([OTHERS]);
+});
