@@ -66,7 +66,7 @@ def add_arguments(parser: argparse.ArgumentParser, count: Callable[[str], int]) 
     where.add_argument("--dask", metavar="ADDRESS", help="mark on the workers of this scheduler")
 
 
-def mark_all(options: argparse.Namespace, progress: TextIO = sys.stderr) -> int:
+def mark_all(options: argparse.Namespace) -> int:
     """Do it; returns the exit status."""
     began = time.perf_counter()
     lessons = _lessons(options.lessons)
@@ -88,7 +88,7 @@ def mark_all(options: argparse.Namespace, progress: TextIO = sys.stderr) -> int:
                 waiting.append(work)
             else:
                 rows.append(row)
-        shown = _Progress(progress, len(works), len(rows))
+        shown = _Progress(sys.stderr, len(works), len(rows))
         try:
             with closing(_marked(waiting, options)) as coming:
                 for row in coming:

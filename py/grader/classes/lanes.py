@@ -8,10 +8,10 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
+import threading
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 from concurrent.futures.process import BrokenProcessPool
-from types import FrameType
 
 from grader.classes.work import Row, Work, close_performer, mark_work, not_marked
 
@@ -20,7 +20,9 @@ __all__ = ["by_processes"]
 
 def by_processes(works: Sequence[Work], processes: int) -> Iterator[Row]:
     """The rows, as they come. If whoever asks stops asking, the processes are ended at once."""
-    pool = ProcessPoolExecutor(processes, initializer=_begin)
+    # Spawned: a process that was forked would have our threads' locks, and our performer.
+    context = multiprocessing.get_context("spawn")
+    pool = ProcessPoolExecutor(processes, mp_context=context, initializer=_begin)
     try:
         futures = {pool.submit(mark_work, work): work for work in works}
         for future in as_completed(futures):
@@ -43,9 +45,17 @@ def _row(future: Future[Row], work: Work) -> Row:
 def _begin() -> None:
     # Ctrl-C is for the process that was asked; it ends these.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, _end)
+    signal.signal(signal.SIGTERM, lambda _number, _frame: _end())
+    threading.Thread(target=_outlive_nobody, daemon=True).start()
 
 
-def _end(_number: int, _frame: FrameType | None) -> None:
+def _outlive_nobody() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        parent.join()
+        _end()
+
+
+def _end() -> None:
     close_performer()
     os._exit(1)

@@ -18,7 +18,7 @@ from grader.lesson import CourseError
 
 __all__ = ["by_machines"]
 
-_WAIT_S = 10
+WAIT_S = 10
 """For the scheduler to answer."""
 
 
@@ -31,7 +31,7 @@ def by_machines(works: Sequence[Work], address: str) -> Iterator[Row]:
             "--dask needs the package distributed: pip install 'bugbot-lessons[dask]'"
         ) from None
     try:
-        client = Client(address, timeout=_WAIT_S, set_as_default=False)
+        client = Client(address, timeout=WAIT_S, set_as_default=False)
     except (OSError, ValueError) as error:
         raise CourseError(f"no dask scheduler answers at {address}: {error}") from None
     with client:

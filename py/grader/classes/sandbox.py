@@ -26,7 +26,7 @@ from typing import IO, Any
 
 from grader.lesson import CourseError
 
-__all__ = ["Sandbox", "SandboxError", "prepared"]
+__all__ = ["Sandbox", "SandboxError", "close_everything", "prepared"]
 
 _ROOT = Path(__file__).resolve().parents[3]
 _PREPARE = _ROOT / "site" / "build" / "sandbox.mjs"
@@ -96,7 +96,7 @@ class Sandbox:
         process, lines = self._start()
         try:
             _expect(lines, b"ready")
-            _close_everything(process.pid, job["limits"]["real_s"])
+            close_everything(process.pid, job["limits"]["real_s"])
             assert process.stdin is not None
             with suppress(BrokenPipeError):  # it has died: its last line says so
                 process.stdin.write(json.dumps({"job": job, "program": program}).encode())
@@ -204,7 +204,7 @@ def _words(line: bytes) -> str:
     return line.decode("utf-8", "replace")[:2000] or "it ended without a word"
 
 
-def _close_everything(pid: int, real_s: float) -> None:
+def close_everything(pid: int, real_s: float) -> None:
     """From now on the process can open nothing and write no file; Linux alone has the call."""
     try:
         from resource import RLIMIT_CPU, RLIMIT_DATA, RLIMIT_FSIZE, RLIMIT_NOFILE, prlimit
