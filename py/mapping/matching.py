@@ -31,7 +31,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from math import exp
+from math import exp, floor
 
 from bugbot.errors import WrongValueError, got
 from bugbot.frames import direction, wrap_heading
@@ -167,16 +167,17 @@ def match(field: Grid, guess: Pose, hits: Sequence[Point], window: Window | None
     """
     window = window or Window()
     shifts = window.shifts()
+    cells, across, cell_cm = field.cells, field.across, field.cell_cm
     best, best_fit, best_worth = guess, 0.0, 0.0
     for turn, turned_worth in window.turns():
         heading = wrap_heading(guess[2] + turn)
         ends = [place((guess[0], guess[1], heading), hit) for hit in hits]
         for dx, dy, shifted_worth in shifts:
             fit = 0.0
-            for x, y in ends:
-                index = field.index_at(x + dx, y + dy)
-                if index is not None:
-                    fit += field.cells[index]
+            for x, y in ends:  # the innermost loop of all: no calls of Grid in it
+                column, row = floor((x + dx) / cell_cm), floor((y + dy) / cell_cm)
+                if 0 <= column < across and 0 <= row < across:
+                    fit += cells[row * across + column]
             fit /= max(1, len(ends))
             worth = fit * turned_worth * shifted_worth
             if worth > best_worth:
