@@ -1,0 +1,97 @@
+"""find_frontier(free, occupied): the free cells with an unknown cell at a side."""
+
+from grader import check, function
+from mapping.frontiers import State, frontier_cells
+from mapping.grid import Grid
+
+MAT = Grid(10)
+SIDES = [(-1, 0), (1, 0), (0, -1), (0, 1)]
+AROUND = [*SIDES, (-1, -1), (1, -1), (-1, 1), (1, 1)]
+CELLS = {MAT.cell(index) for index in range(len(MAT.cells))}
+
+
+def reference(free, occupied):
+    states = [
+        State.FREE if cell in free else State.OCCUPIED if cell in occupied else State.UNKNOWN
+        for cell in map(MAT.cell, range(len(MAT.cells)))
+    ]
+    return {MAT.cell(index) for index in frontier_cells(MAT, states)}
+
+
+def beside(cells, others, steps=SIDES):
+    """The cells that have one of the others beside them."""
+    return {(c, r) for c, r in cells if any((c + i, r + j) in others for i, j in steps)}
+
+
+find_frontier = function(
+    "find_frontier(free, occupied)",
+    reference,
+    cell_cm=10,
+    mistakes=[
+        (
+            "beyond the mat there is nothing to explore: only cells of the mat can be unknown",
+            lambda free, occupied: {
+                (c, r)
+                for c, r in free
+                if any((c + i, r + j) not in free | occupied for i, j in SIDES)
+            },
+            1,
+        ),
+        (
+            "walls look taken for unknown: an occupied cell is known",
+            lambda free, occupied: beside(free, CELLS - free),
+            0,
+        ),
+        (
+            "cells at a corner look counted: only the four at the sides count",
+            lambda free, occupied: beside(free, CELLS - free - occupied, AROUND),
+            2,
+        ),
+        (
+            "these are the unknown cells beside free ones: "
+            "a frontier cell is free, so the robot can go there",
+            lambda free, occupied: beside(CELLS - free - occupied, free),
+            0,
+        ),
+        (
+            "walls look counted as frontier: a frontier cell is free",
+            lambda free, occupied: beside(free | occupied, CELLS - free - occupied),
+            0,
+        ),
+        (
+            "only cells with nothing but unknown round them were found: one unknown side is enough",
+            lambda free, occupied: {
+                (c, r)
+                for c, r in free
+                if all((c + i, r + j) in CELLS - free - occupied for i, j in SIDES)
+            },
+            2,
+        ),
+    ],
+)
+
+
+def some_map(task, share):
+    cells = sorted(CELLS)
+    task.random.shuffle(cells)
+    free = round(share * len(cells))
+    return set(cells[:free]), set(cells[free : free + 80])
+
+
+@check("Free on the left, unknown on the right", hint=0)
+def halves(task):
+    left = {cell for cell in CELLS if cell[0] < 10}
+    task.call(find_frontier, left, set(), gives={(9, row) for row in range(20)})
+    wall = {(9, row) for row in range(5, 20)}
+    task.call(find_frontier, left - wall, wall, gives={(9, row) for row in range(5)})
+
+
+@check("A mat that is all free", hint=1)
+def all_free(task):
+    task.call(find_frontier, CELLS, set(), gives=set())
+
+
+@check("Cells strewn about", hint=2)
+def strewn(task):
+    for share in (0.2, 0.5, 0.7):
+        task.call(find_frontier, *some_map(task, share))

@@ -1,0 +1,74 @@
+"""large_regions(regions, at_least): without the small ones, the largest first."""
+
+from grader import check, function
+
+
+def kept(regions, at_least):
+    return [region for region in regions if len(region) >= at_least]
+
+
+def large(regions, at_least):
+    return sorted(kept(regions, at_least), key=len, reverse=True)
+
+
+large_regions = function(
+    "large_regions(regions, at_least)",
+    large,
+    mistakes=[
+        (
+            "a region of exactly so many cells was left out: at least 5 means 5 or more",
+            lambda regions, at_least: large(regions, at_least + 1),
+            0,
+        ),
+        ("the order looks left as it was: the largest comes first", kept, 1),
+        (
+            "the smallest comes first: sorted() goes up, unless it is told reverse=True",
+            lambda regions, at_least: large(regions, at_least)[::-1],
+            2,
+        ),
+        (
+            "nothing was left out: only regions of at least so many cells are to stay",
+            lambda regions, at_least: large(regions, 0),
+            0,
+        ),
+        (
+            "these are the small ones: they are what is to be left out",
+            lambda regions, at_least: sorted(
+                (region for region in regions if len(region) < at_least), key=len, reverse=True
+            ),
+            0,
+        ),
+        (
+            "these are sizes: the regions themselves are wanted",
+            lambda regions, at_least: [len(region) for region in large(regions, at_least)],
+            1,
+        ),
+    ],
+)
+
+
+def some_regions(task, sizes):
+    regions = []
+    for row, size in enumerate(sizes):
+        first = task.random.randrange(5)
+        regions.append({(first + i, 2 * row) for i in range(size)})
+    return regions
+
+
+@check("One just large enough, one just too small", hint=0)
+def border(task):
+    regions = some_regions(task, [5, 4])
+    task.call(large_regions, regions, 5, gives=regions[:1])
+
+
+@check("The largest first", hint=1)
+def order(task):
+    task.call(large_regions, some_regions(task, [6, 2, 9, 7, 1]), 5)
+
+
+@check("Many regions", hint=2)
+def many(task):
+    task.call(large_regions, [], 5, gives=[])
+    for _ in range(8):
+        sizes = task.random.sample(range(1, 15), 8)
+        task.call(large_regions, some_regions(task, sizes), task.random.randrange(2, 10))
