@@ -134,7 +134,7 @@ class Trial:
     def says_why(self, after: str) -> Trial:
         """Expect the program to print, after this text, why it stops."""
         said = [line.split(after, 1)[1] for line in self.run.console.splitlines() if after in line]
-        reasons = [each.strip() for each in said if each.strip()]
+        reasons = [each.strip(" :") for each in said if each.strip(" :")]
         if reasons:
             self._why = reasons[-1]
         else:

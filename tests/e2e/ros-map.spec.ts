@@ -121,4 +121,18 @@ test("demo 1’s map as ROS files is the run’s map cell for cell, and lies on 
 
   await legend.getByRole("button", { name: /Remove map/ }).click();
   await expect(legend).not.toContainText("trinary");
+
+  // The two files dropped on the lab together.
+  const dropped = await page.evaluateHandle(
+    ([text, pixels]) => {
+      const data = new DataTransfer();
+      data.items.add(new File([text ?? ""], "room.yaml"));
+      const bytes = Uint8Array.from(atob(pixels ?? ""), (letter) => letter.charCodeAt(0));
+      data.items.add(new File([bytes], "post-and-shelf-seed-1.pgm"));
+      return data;
+    },
+    [yaml, files.get("post-and-shelf-seed-1.pgm")?.toString("base64") ?? ""],
+  );
+  await app.view.dispatchEvent("drop", { dataTransfer: dropped });
+  await expect(app.status).toContainText("room.yaml lies on the mat now");
 });

@@ -15,8 +15,11 @@ import type { Partner, Workers } from "./pool.ts";
 const AT_ONCE = 2;
 /** A check that wants more rounds of jobs than this would never come to an end. */
 const MOST_ROUNDS = 20;
-/** The judge only compares: if it takes this long, it is the check that does not end [s]. */
-const JUDGE_S = 60;
+/**
+ * The judge only compares: if it takes this long, and this longer for each job, it is the check that
+ * does not end [s].
+ */
+const JUDGE_S = { check: 60, job: 10 } as const;
 /** Ends what still goes on behind a marking that has ended; nobody hears it. */
 const OVER = "the marking is over";
 
@@ -96,7 +99,8 @@ export class Marker {
 
   async #converse(): Promise<Marked> {
     const judge = await this.#engage(this.#request.check);
-    let said = await ask(judge, { kind: "judge", id: 0, request: JSON.stringify(this.#request) });
+    const begin = { kind: "judge", id: 0, request: JSON.stringify(this.#request) } as const;
+    let said = await ask(judge, begin, JUDGE_S.check);
     for (let round = 0; round < MOST_ROUNDS; round++) {
       const step = readStep(said);
       if ("mark" in step) {
@@ -106,7 +110,8 @@ export class Marker {
       for (const { place } of step.jobs) if (place) this.#mats.add(place.world.name);
       this.#tell();
       const results = await this.#perform(step.jobs);
-      said = await ask(judge, { kind: "results", id: 0, results });
+      const patience = JUDGE_S.check + JUDGE_S.job * this.#jobs;
+      said = await ask(judge, { kind: "results", id: 0, results }, patience);
     }
     throw new Error(`the check asked for jobs ${MOST_ROUNDS} times and gave no mark`);
   }
@@ -184,9 +189,9 @@ export class Marker {
 }
 
 /** What the judge answers; rejects if it has no step to say. */
-async function ask(judge: Partner, message: ToWorker): Promise<string> {
-  const answer = await answerOf(judge, message, { real_s: JUDGE_S, silent_s: null });
-  if (answer === null) throw new Error(`the check did not come to an end within ${JUDGE_S} s`);
+async function ask(judge: Partner, message: ToWorker, real_s: number): Promise<string> {
+  const answer = await answerOf(judge, message, { real_s, silent_s: null });
+  if (answer === null) throw new Error(`the check did not come to an end within ${real_s} s`);
   if (answer.kind !== "step") throw unexpected(answer, "the judge");
   return answer.step;
 }

@@ -39,6 +39,6 @@ export const rosWords = {
     `${map.width} × ${map.height} cells of ${Number((100 * map.resolution).toFixed(2))} cm; ${map.mode}${
       map.mode === "raw"
         ? ""
-        : `, occupied from ${percent(map.occupied_thresh)} %, free to ${percent(map.free_thresh)} %${map.negate ? ", negated" : ""}`
+        : `, occupied from ${percent(map.occupied_thresh)}\u00a0%, free to ${percent(map.free_thresh)}\u00a0%${map.negate ? ", negated" : ""}`
     }`,
 };
