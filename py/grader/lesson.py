@@ -234,6 +234,8 @@ class _Reader:
                 entry["world"],
             )
             self._known_world(document, "tasks", index, "world")
+            for number in range(len(entry.get("practice", []))):
+                self._known_world(document, "tasks", index, "practice", number)
             parts = [task.starter, task.solution, task.check]
             self._used.update(parts)
             missing = [path for path in parts if not path.exists()]
@@ -289,6 +291,7 @@ class _Reader:
         for name in self.lesson.worlds:
             sources = [_text(each.check) for each in self.lesson.tasks]
             named = [each["world"] for each in [*document.data["programs"].values(), *entries]]
+            named += [each for entry in entries for each in entry.get("practice", [])]
             if name not in named and not any(f'"{name}"' in source for source in sources):
                 self._used.discard(self._path / "worlds" / f"{name}.json")
 

@@ -172,9 +172,9 @@ export function lessonData(lesson) {
     { source, world, seed, title },
   ]);
   const tasks = [...lesson.tasks.values()].map(
-    ({ name, title, starter, solution, check, world, seed, stretch }) => [
+    ({ name, title, starter, solution, check, world, seed, practice, stretch }) => [
       name,
-      { title, starter, solution, check, world, seed, stretch },
+      { title, starter, solution, check, world, seed, practice, stretch },
     ],
   );
   return {

@@ -8,7 +8,7 @@
  * @typedef {{ name: string, title: string, world: string, seed: number, file: string, source: string }} Program
  * @typedef {{
  *   name: string, title: string, statement: string, hints: string[], world: string, seed: number,
- *   stretch: boolean, starter: string, solution: string, check: string,
+ *   practice: string[], stretch: boolean, starter: string, solution: string, check: string,
  *   lineOf: (part: "title" | "statement" | number) => number,
  * }} Task lineOf says on which line of lesson.json the title, the statement or a hint stands
  * @typedef {{
@@ -116,6 +116,13 @@ export function readLesson(folder, siteWorlds) {
       world,
       at: ["tasks", index, "world"],
     })),
+    ...(data.tasks ?? []).flatMap(
+      (/** @type {any} */ { practice = [] }, /** @type {number} */ index) =>
+        practice.map((/** @type {string} */ world, /** @type {number} */ at) => ({
+          world,
+          at: ["tasks", index, "practice", at],
+        })),
+    ),
   ];
   const strange = users
     .filter(({ world }) => !known.includes(world))
@@ -244,7 +251,8 @@ function tasksOf(data, reader, lineOf) {
   const file = shownPath(join(reader.folder, "lesson.json"));
   return new Map(
     (data.tasks ?? []).map((/** @type {any} */ entry, /** @type {number} */ index) => {
-      const { name, title, statement, hints, world, seed = USUAL_SEED, stretch = false } = entry;
+      const { name, title, statement, hints, world, seed = USUAL_SEED } = entry;
+      const { practice = [], stretch = false } = entry;
       const named = { file, line: lineOf(["tasks", index, "name"]) };
       const [starter, solution, check] = ["starter.py", "solution.py", "check.py"].map((part) =>
         reader.text(join(reader.folder, name, part), "write it, or take the task out.", named),
@@ -252,7 +260,7 @@ function tasksOf(data, reader, lineOf) {
       /** @param {"title" | "statement" | number} part */
       const at = (part) =>
         lineOf(["tasks", index, ...(typeof part === "string" ? [part] : ["hints", part])]);
-      const words = { name, title, statement, hints, world, seed, stretch };
+      const words = { name, title, statement, hints, world, seed, practice, stretch };
       return [name, { ...words, starter, solution, check, lineOf: at }];
     }),
   );

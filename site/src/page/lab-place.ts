@@ -12,7 +12,12 @@ import type { Services } from "./services.ts";
 import type { Note } from "./status.ts";
 
 /** What of the element is needed here. */
-type PlacedLab = HTMLElement & Place & { pickers: boolean; say(note: Note | null): void };
+type PlacedLab = HTMLElement &
+  Place & {
+    pickers: boolean;
+    choices: readonly string[] | null;
+    say(note: Note | null): void;
+  };
 
 export class LabPlace {
   readonly #lab: PlacedLab;
@@ -67,9 +72,10 @@ export class LabPlace {
 
   /** What there is to choose. */
   pickers(onRepeat: () => void): PickersInput {
-    const { world, seed, pickers } = this.#lab;
+    const { world, seed, pickers, choices } = this.#lab;
+    const offered = this.#services.worlds.filter(({ name }) => choices?.includes(name) ?? true);
     return {
-      worlds: pickers ? this.#services.worlds : [],
+      worlds: pickers ? offered : [],
       world,
       seed,
       freshNoise: this.#freshNoise,

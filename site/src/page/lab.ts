@@ -43,6 +43,7 @@ export class BugbotLab extends LitElement {
     seed: { type: Number, reflect: true },
     label: { type: String },
     pickers: { type: Boolean },
+    choices: { attribute: false },
     backdrop: { attribute: false },
   };
 
@@ -50,6 +51,8 @@ export class BugbotLab extends LitElement {
   declare seed: number;
   declare label: string;
   declare pickers: boolean;
+  /** The names of the worlds that `pickers` offers; all there are if null. */
+  declare choices: readonly string[] | null;
   /** What lies on the mat under the program's layers, such as a map from a file. */
   declare backdrop: Backdrop | null;
 
@@ -74,6 +77,7 @@ export class BugbotLab extends LitElement {
     this.seed = FIRST_SEED;
     this.label = "";
     this.pickers = false;
+    this.choices = null;
     this.backdrop = null;
     this.#place = new LabPlace(this, services);
     this.#runs = new LabRuns({

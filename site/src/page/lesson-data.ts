@@ -12,6 +12,8 @@ export interface TaskData {
   check: string;
   world: string;
   seed: number;
+  /** More worlds to try the program on; none if left out. */
+  practice?: readonly string[];
   /** Beyond what the lesson asks of everybody. */
   stretch: boolean;
 }

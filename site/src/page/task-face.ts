@@ -59,6 +59,8 @@ export function taskFace(face: TaskFace): TemplateResult {
       id="lab-task-${name}"
       label=${data.title}
       world=${data.world}
+      ?pickers=${(data.practice ?? []).length > 0}
+      .choices=${[data.world, ...(data.practice ?? [])]}
       seed=${data.seed}
       program=${data.starter}
     ></bugbot-lab>
