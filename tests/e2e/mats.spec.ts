@@ -45,11 +45,7 @@ async function drag(page: Page, from: Point, to: Point): Promise<void> {
   }
 }
 
-test("a wall drawn on a mat stops the robot's beams in the lab, and goes to others in a link", async ({
-  app,
-  page,
-  browser,
-}) => {
+test("a wall drawn on a mat stops the robot's beams in the lab", async ({ app, page }) => {
   await page.goto("worlds/");
   await page.getByRole("textbox", { name: "Name" }).fill("One wall");
   await expect(check(page)).toContainText("The mat is bare");
@@ -74,36 +70,47 @@ test("a wall drawn on a mat stops the robot's beams in the lab, and goes to othe
   expect(await app.text()).toContain("START = (100, 25)");
   expect(await app.text()).toContain("REAL = [(0, 120, 180, 10)]");
   await app.showEndsAtOnce();
-  const program =
-    'from bugbot import *\n\nprint("beam", round(distance() / 10))\nforward(100, 70)\n';
-  await app.runToEnd(program);
+  await app.runToEnd(
+    'from bugbot import *\n\nprint("beam", round(distance() / 10))\nforward(100, 70)\n',
+  );
   await expect(app.console).toContainText(/beam (9|10)\b/);
   await expect(app.view).toHaveAccessibleDescription(
     /robot at \(100, 95\) cm.*; wall 2[0-9] cm ahead/,
   );
+});
 
+test("a mat goes to somebody else in a link, with a program; both are shown first", {
+  tag: "@once",
+}, async ({ app, page, browser }) => {
+  const program = 'print("for this mat")\n';
+  await page.goto("worlds/");
+  await mat(page).focus();
+  await page.keyboard.press("n");
+  await page.getByRole("textbox", { name: "Name" }).fill("One box");
+  await button(page, "Try it in the lab").click();
+  await app.write(program);
   await app.more("Share as a link…");
   const link = await page.getByRole("textbox", { name: "Link" }).inputValue();
   const context = await browser.newContext();
   const elsewhere = new App(await context.newPage());
   await elsewhere.page.goto(link);
   const offered = elsewhere.page.getByRole("dialog", { name: "Somebody shared a mat" });
-  await expect(offered).toContainText("One wall: 1 obstacle.");
+  await expect(offered).toContainText("One box: 1 obstacle.");
   await button(elsewhere.page, "Take this mat").click();
   await expect(
     elsewhere.page.getByRole("dialog", { name: "Somebody shared a program" }),
-  ).toContainText("for One wall, seed 1");
+  ).toContainText("for One box, seed 1");
   await button(elsewhere.page, "Open this program").click();
   expect(await elsewhere.text()).toBe(program);
-  await expect(elsewhere.world.locator("option:checked")).toHaveText("One wall");
+  await expect(elsewhere.world.locator("option:checked")).toHaveText("One box");
   expect(new URL(elsewhere.page.url()).hash).toBe("");
   // It is theirs now: to change, and no second time when the link is opened again.
   await elsewhere.page.goto("about:blank");
   await elsewhere.page.goto(link);
   await expect(elsewhere.status).toContainText("The link holds the program that is here already.");
   await elsewhere.page.getByRole("link", { name: "Edit this mat" }).click();
-  await expect(elsewhere.page.getByRole("textbox", { name: "Name" })).toHaveValue("One wall");
-  await expect(list(elsewhere.page)).toContainText("wall 180 × 10 cm at (0, 120)");
+  await expect(elsewhere.page.getByRole("textbox", { name: "Name" })).toHaveValue("One box");
+  await expect(list(elsewhere.page)).toContainText("box 20 × 20 cm at (90, 90)");
   await context.close();
 });
 
