@@ -157,6 +157,5 @@ def passes(task):
 
 @check("The drift of a whole run", hint=2)
 def whole(task):
-    for seed in (51, 52):
-        run = task.run("wall-ahead", seed=seed, seconds=90)
-        task.near(run.number_after("drift:"), run.drift, 0.05, "the drift in degrees/s", run=run)
+    run = task.run("wall-ahead", seed=51, seconds=90)
+    task.near(run.number_after("drift:"), run.drift, 0.05, "the drift in degrees/s", run=run)
