@@ -42,11 +42,11 @@ export class LabFiles {
           { label: menuWords.share, act: () => this.#share() },
         ],
       },
+      mapItems(this.#desk, (act) => this.#told(act)),
       {
         title: menuWords.run,
         items: runItems(this.#desk, () => this.#openRun()),
       },
-      mapItems(this.#desk, (act) => this.#told(act)),
     ];
   }
 
