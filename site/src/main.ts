@@ -35,9 +35,12 @@ if (keeps) showOffline(home);
 const framed = embedded ? import("./page/embedded.ts") : null;
 void framed?.then(({ openLinksOutside }) => openLinksOutside());
 
-const store = new ProgramStore();
+// In a learning platform (src/scorm) each learner's things are kept apart.
+const { keptFor } = document.documentElement.dataset;
+const store = new ProgramStore(undefined, keptFor);
 const progress = new Progress(store);
 progress.listen();
+document.dispatchEvent(new CustomEvent("bugbot-progress", { detail: progress }));
 showHome(worldsInOrder, progress);
 if (document.querySelector("progress-tools")) {
   const { defineProgressTools } = await import("./page/progress-tools.ts");

@@ -6,19 +6,24 @@ const PREFIX = "bugbot:";
 
 export class ProgramStore {
   readonly #storage: () => Storage;
+  readonly #prefix: string;
   /** What the device would not keep; newer than what it may still hold under the same name. */
   readonly #refused = new Map<string, string>();
 
-  /** `storage` is asked for each time: where it is forbidden, even naming it throws. */
-  constructor(storage: () => Storage = () => localStorage) {
+  /**
+   * `storage` is asked for each time: where it is forbidden, even naming it throws. What is kept for
+   * somebody by name is apart from what is kept for everybody else.
+   */
+  constructor(storage: () => Storage = () => localStorage, keptFor?: string) {
     this.#storage = storage;
+    this.#prefix = keptFor ? `${PREFIX}${keptFor}:` : PREFIX;
   }
 
   load(name: string): string | null {
     const refused = this.#refused.get(name);
     if (refused !== undefined) return refused;
     try {
-      return this.#storage().getItem(PREFIX + name);
+      return this.#storage().getItem(this.#prefix + name);
     } catch {
       return null;
     }
@@ -27,7 +32,7 @@ export class ProgramStore {
   /** Keeps a text; says whether the device did, so that the page can tell. */
   keep(name: string, text: string): boolean {
     try {
-      this.#storage().setItem(PREFIX + name, text);
+      this.#storage().setItem(this.#prefix + name, text);
       this.#refused.delete(name);
       return true;
     } catch {
@@ -39,7 +44,7 @@ export class ProgramStore {
   forget(name: string): void {
     this.#refused.delete(name);
     try {
-      this.#storage().removeItem(PREFIX + name);
+      this.#storage().removeItem(this.#prefix + name);
     } catch {
       // Where nothing may be stored, nothing was.
     }
@@ -48,7 +53,7 @@ export class ProgramStore {
   /** Tells when another tab keeps or forgets a text. Returns the function that ends it. */
   onElsewhere(callback: (name: string) => void): () => void {
     const listener = ({ key }: StorageEvent): void => {
-      if (key?.startsWith(PREFIX)) callback(key.slice(PREFIX.length));
+      if (key?.startsWith(this.#prefix)) callback(key.slice(this.#prefix.length));
     };
     addEventListener("storage", listener);
     return () => removeEventListener("storage", listener);
