@@ -68,4 +68,4 @@ def clutter(task):
 
 @check("Dead ends", hint=2)
 def dead_ends(task):
-    within_limits(task, "burrow", known=92, seconds=180)
+    within_limits(task, "burrow", known=95, seconds=150)

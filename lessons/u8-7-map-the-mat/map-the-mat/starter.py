@@ -15,7 +15,7 @@ SPARE = 6  # cm from the robot's middle to anything not free (5 to 9)
 NEAR = 12  # cm: this near to a frontier is near enough (8 to 40)
 NARROW = 1  # a cm beside a wall counts like so many (1 to 5)
 GAIN = 0  # cm of way that a cell of frontier is worth (0 to 20)
-MAX_TIME = 280  # s: the robot gives up then (30 to 290)
+MAX_TIME = 180  # s: the robot gives up then (30 to 290)
 MAX_WAY = 1600  # cm: and after driving so far (100 to 3000)
 
 CELL, ACROSS, FAR = 5, 40, 170
@@ -80,7 +80,7 @@ def read_map():
     free = {cell for cell, l in log_odds.items() if l < -KNOWN}
     occupied = {cell for cell, l in log_odds.items() if l > KNOWN}
     unknown = log_odds.keys() - free - occupied
-    return free, occupied, {cell for cell in free if not around(cell, SIDES).isdisjoint(unknown)}
+    return free, occupied, free & set().union(*(around(cell, SIDES) for cell in unknown))
 
 
 def find_regions(frontier):

@@ -83,7 +83,7 @@ def read_map():
     free = {cell for cell, l in log_odds.items() if l < -KNOWN}
     occupied = {cell for cell, l in log_odds.items() if l > KNOWN}
     unknown = log_odds.keys() - free - occupied
-    return free, occupied, {cell for cell in free if not around(cell, SIDES).isdisjoint(unknown)}
+    return free, occupied, free & set().union(*(around(cell, SIDES) for cell in unknown))
 
 
 def find_regions(frontier):
