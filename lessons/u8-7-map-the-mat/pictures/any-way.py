@@ -32,7 +32,7 @@ def picture() -> str:
     mat.arrow(ROBOT, corner)
     mat.arrow(corner, end)
     mat.dot(TARGET, 4, "step")
-    mat.text((corner[0] - 8, 22), "forward", "small middle on-mat")
+    mat.text((corner[0] - 11, 22), "forward", "small middle on-mat")
     mat.text((33, corner[1] + 1.5), "right", "small middle on-mat")
     mat.text((TARGET[0] + 2, TARGET[1] - 2.5), "target", "small on-mat")
     mat.text((33, 15), "the way: dx, dy", "small on-mat")
