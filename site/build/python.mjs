@@ -6,7 +6,7 @@
  * Large files are stored gzipped under names that end in .bin, so that they are small on any static
  * host and no server unpacks them on the way; the page does that itself.
  */
-import { existsSync, readFileSync, rmSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, renameSync, rmSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { CACHE, filesBelow, hashOfFiles, ROOT, sha256, write } from "./files.mjs";
@@ -14,7 +14,10 @@ import { numpyWheel } from "./numpy.mjs";
 import { makeSnapshot, runInPyodide } from "./snapshot.mjs";
 
 const PYODIDE = join(ROOT, "node_modules/pyodide");
-const OUT = join(CACHE, "python");
+/** One folder for each state of what goes in. */
+const READY = join(CACHE, "python");
+/** Of these, so many are kept: another build may be reading its own. */
+const KEPT = 3;
 
 /** Packages under py/ that go to the browser. */
 const PACKAGES = ["bugbot", "mapping", "grader", "bridge"];
@@ -49,37 +52,60 @@ json.dumps(describe(), ensure_ascii=False)
 export async function preparePython(log = (_text) => {}) {
   const sources = readSources();
   const key = inputsKey();
-  const ready = readJson(join(OUT, "manifest.json"));
-  if (ready?.key === key) {
-    return { folder: OUT, manifest: ready, course: readJson(join(OUT, "course.json")) };
+  const folder = join(READY, key);
+  if (!existsSync(folder)) {
+    // Written elsewhere and then moved: whoever finds the folder finds it whole.
+    const part = `${folder}.${process.pid}`;
+    await prepareInto(part, key, sources, log);
+    try {
+      renameSync(part, folder);
+    } catch (error) {
+      // Another build was faster: what it made is the same.
+      if (!existsSync(folder)) throw error;
+      rmSync(part, { recursive: true });
+    }
+    removeOld();
   }
-  rmSync(OUT, { recursive: true, force: true });
+  /** @param {string} name */
+  const read = (name) => JSON.parse(readFileSync(join(folder, name), "utf8"));
+  return { folder, manifest: read("manifest.json"), course: read("course.json") };
+}
 
+/**
+ * @param {string} folder to be written
+ * @param {string} key
+ * @param {Record<string, string>} sources
+ * @param {(text: string) => void} log
+ */
+async function prepareInto(folder, key, sources, log) {
   log("preparing Python for the browser: interpreter, snapshot, NumPy");
   const wheel = await numpyWheel(log);
   const snapshot = await makeSnapshot(sources);
   const course = JSON.parse(await runInPyodide(sources, DESCRIBE));
 
-  const manifest = {
+  const manifest = /** @type {Manifest} */ ({
     key,
     pyodide: JSON.parse(readFileSync(join(PYODIDE, "package.json"), "utf8")).version,
     numpy: wheel.version,
     files: {
-      interpreter: store("interpreter", gzip(readFileSync(join(PYODIDE, "pyodide.asm.wasm")))),
-      snapshot: store("snapshot", gzip(snapshot)),
-      sources: store("sources", gzip(JSON.stringify(sources))),
+      interpreter: store(
+        folder,
+        "interpreter",
+        gzip(readFileSync(join(PYODIDE, "pyodide.asm.wasm"))),
+      ),
+      snapshot: store(folder, "snapshot", gzip(snapshot)),
+      sources: store(folder, "sources", gzip(JSON.stringify(sources))),
       // Archives are compressed already.
-      stdlib: store("stdlib", readFileSync(join(PYODIDE, "python_stdlib.zip"))),
-      numpy: store("numpy", wheel.bytes),
+      stdlib: store(folder, "stdlib", readFileSync(join(PYODIDE, "python_stdlib.zip"))),
+      numpy: store(folder, "numpy", wheel.bytes),
     },
     loader: `pyodide-${sha256(readFileSync(join(PYODIDE, "pyodide.asm.mjs"))).slice(0, 8)}`,
-  };
+  });
   for (const file of ["pyodide.mjs", "pyodide.asm.mjs"]) {
-    write(join(OUT, manifest.loader, file), readFileSync(join(PYODIDE, file)));
+    write(join(folder, manifest.loader, file), readFileSync(join(PYODIDE, file)));
   }
-  write(join(OUT, "course.json"), JSON.stringify(course));
-  write(join(OUT, "manifest.json"), JSON.stringify(manifest, null, 2));
-  return { folder: OUT, manifest, course };
+  write(join(folder, "course.json"), JSON.stringify(course));
+  write(join(folder, "manifest.json"), JSON.stringify(manifest, null, 2));
 }
 
 function readSources() {
@@ -109,23 +135,28 @@ function inputsKey() {
   return hashOfFiles([...ours, ...build, join(PYODIDE, "package.json")]);
 }
 
+/** Removes all but the newest folders. */
+function removeOld() {
+  const folders = readdirSync(READY).map((name) => join(READY, name));
+  const age = (/** @type {string} */ path) => statSync(path).mtimeMs;
+  for (const old of folders.toSorted((a, b) => age(b) - age(a)).slice(KEPT)) {
+    rmSync(old, { recursive: true, force: true });
+  }
+}
+
 /**
+ * @param {string} folder
  * @param {string} name
  * @param {Uint8Array} bytes
  * @returns {PythonFile}
  */
-function store(name, bytes) {
+function store(folder, name, bytes) {
   const path = `${name}-${sha256(bytes).slice(0, 8)}.bin`;
-  write(join(OUT, path), bytes);
+  write(join(folder, path), bytes);
   return { path, bytes: bytes.length };
 }
 
 /** @param {string | Uint8Array} data */
 function gzip(data) {
   return gzipSync(data, { level: 9 });
-}
-
-/** @param {string} path */
-function readJson(path) {
-  return existsSync(path) ? JSON.parse(readFileSync(path, "utf8")) : null;
 }

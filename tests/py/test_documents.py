@@ -14,6 +14,7 @@ from bugbot.run.outcome import outcome_of
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = [
     *sorted(ROOT.glob("*.md")),
+    *sorted((ROOT / "site").glob("*.md")),
     ROOT / "lessons" / "README.md",
 ]
 IDS = [str(path.relative_to(ROOT)) for path in DOCUMENTS]
