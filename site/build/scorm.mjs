@@ -89,6 +89,7 @@ function framed(html, path, pages) {
     return pages.includes(target.endsWith(".html") ? target : posix.join(target, "index.html"));
   };
   return html
+    .replace(/\s*<link rel="manifest"[^>]*>/, "")
     .replace(/<html\b/, '<html data-embed=""')
     .replace(/<head>/, `<head>\n    <script src="${up}${ADAPTER}"></script>`)
     .replace(
