@@ -11,6 +11,7 @@ import { contentSecurityPolicy } from "./csp.mjs";
 import { filesBelow, ROOT } from "./files.mjs";
 import { lessonPages } from "./lessons/plugin.mjs";
 import { offline } from "./offline.mjs";
+import { preview } from "./preview.mjs";
 import { preparePython } from "./python.mjs";
 import { standalone } from "./standalone.mjs";
 
@@ -29,7 +30,7 @@ export function bugbot({ lessons = join(ROOT, "lessons") } = {}) {
     preparing ??= preparePython((text) => console.log(text));
     return preparing;
   };
-  return [siteData(prepare), lessonPages(prepare, lessons), offline()];
+  return [siteData(prepare), preview(lessons), lessonPages(prepare, lessons), offline()];
 }
 
 /**
