@@ -1,4 +1,4 @@
-# One metre up the mat, with the eyes open
+# Up the mat, with the eyes open
 #
 # The robot drives straight up the mat. It may turn while
 # it does so: then it looks in all directions on the way.
