@@ -5,8 +5,10 @@
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import MarkdownIt from "markdown-it";
+import { ROOT } from "./files.mjs";
 import { highlightPython } from "./lessons/highlight.mjs";
 import { escapeHtml } from "./lessons/html.mjs";
+import { formulaHtml, mathematics } from "./lessons/math.mjs";
 
 /**
  * @typedef {{ world: { name: string, obstacles: { x: number, y: number, width: number, height: number }[] },
@@ -52,7 +54,11 @@ document.getElementById("state").textContent = "All marked.";
  */
 export function previewPage(folder, slug) {
   const { code, title, tasks = [] } = JSON.parse(readFileSync(join(folder, "lesson.json"), "utf8"));
-  const markdown = new MarkdownIt();
+  const markdown = new MarkdownIt().use(mathematics);
+  for (const kind of ["formula", "displayed"]) {
+    markdown.renderer.rules[kind] = (tokens, index) =>
+      formulaHtml(tokens[index]?.content ?? "", kind === "displayed");
+  }
   const sections = tasks.map(
     (/** @type {{ name: string, title: string, statement: string }} */ task) => {
       const programs = programsOf(join(folder, task.name));
@@ -70,6 +76,7 @@ ${markdown.render(task.statement)}${articles.join("\n")}</section>`;
   return `<!doctype html>
 <html lang="en-GB"><head><meta charset="utf-8"><title>Preview of ${escapeHtml(title)}</title>
 <meta name="viewport" content="width=device-width, initial-scale=1"><link rel="icon" href="data:,">
+<link rel="stylesheet" href="/@fs${join(ROOT, "node_modules/katex/dist/katex.min.css")}">
 <style>${STYLE}</style></head><body>
 <h1>${escapeHtml(code)} ${escapeHtml(title)}: what learners are told</h1>
 <p><a href="/lessons/${slug}/">The lesson's page</a>. <span id="state" role="status">Marking …</span></p>
