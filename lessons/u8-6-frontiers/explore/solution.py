@@ -149,6 +149,11 @@ def near(cell, cells):
 
 
 # Ways.
+FROM_EDGE = SPARE + CELL / 2  # cm to the middle of a cell of the edge, at least
+REACH = range(-int(FROM_EDGE / CELL) - 1, int(FROM_EDGE / CELL) + 2)
+AROUND = [(column, row) for column in REACH for row in REACH]  # steps to all cells so near
+
+
 def find_edge(free):
     """What is beside free floor and not free: walls, unknown, the mat's end, bumps."""
     return set().union(*(BESIDE[cell] for cell in free)) - free | bumps
@@ -156,9 +161,7 @@ def find_edge(free):
 
 def find_room(free, edge):
     """The free cells on whose middle the robot keeps SPARE from the edge."""
-    far = SPARE + CELL / 2
-    reach = range(-int(far / CELL), int(far / CELL) + 1)
-    close = [(column, row) for column in reach for row in reach if hypot(column, row) * CELL < far]
+    close = [step for step in AROUND if hypot(*step) * CELL < FROM_EDGE]
     return free - set().union(*(beside(cell, close) for cell in edge))
 
 
@@ -194,11 +197,11 @@ def find_way(start, goal, room):
 
 def straight_way(start, goal, edge):
     """Has the line from start to goal SPARE on both sides?"""
-    middles = [centre(cell) for cell in edge]
     steps = int(dist(start, goal) / CELL) + 1
     for i in range(1, steps + 1):
         point = [a + (b - a) * i / steps for a, b in zip(start, goal)]
-        if any(dist(point, middle) < SPARE + CELL / 2 for middle in middles):
+        close = beside(cell_of(*point), AROUND) & edge
+        if any(dist(point, centre(cell)) < FROM_EDGE for cell in close):
             return False
     return True
 
