@@ -14,6 +14,8 @@ const layout = EditorView.theme({
     fontSize: "var(--code-size)",
     lineHeight: "1.62",
     overflow: "auto",
+    // Firefox would paint them white on a dark page.
+    scrollbarColor: "var(--line-strong) var(--panel)",
   },
   ".cm-content": { padding: "10px 0 24px", caretColor: "var(--ink)" },
   ".cm-line": { padding: "0 14px 0 8px" },

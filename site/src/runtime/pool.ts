@@ -138,11 +138,21 @@ export class Pool {
 }
 
 /**
- * A worker whose script is a `blob:` of one line inherits the page's Content-Security-Policy in
- * every engine; one that is started from a URL would have none on a host that can't send headers.
+ * A worker whose script is a `blob:` inherits the page's Content-Security-Policy in every engine;
+ * one that is started from a URL would have none on a host that can't send headers.
+ *
+ * The script is had by import(): without a network Firefox asks the service worker for those, not for
+ * what a blob's `import` names. A message that comes before the script is held for it.
  */
 function startWorker(): Worker {
-  const script = `import ${JSON.stringify(new URL(workerUrl, import.meta.url).href)};`;
+  const url = JSON.stringify(new URL(workerUrl, import.meta.url).href);
+  const script = `
+    let early = null;
+    self.onmessage = (event) => { early = event; };
+    import(${url}).then(
+      () => { const held = early; early = null; if (held) self.onmessage(held); },
+      (error) => setTimeout(() => { throw error; }),
+    );`;
   const blobUrl = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
   const worker = new Worker(blobUrl, { type: "module", name: "Python" });
   // The worker has taken its script by the time it says anything, and no later.
