@@ -14,4 +14,6 @@ step("same marks in the browser's Python", () =>
 step("browser tests", () =>
   run("npx", ["playwright", "test", "--config", "tests/playwright.config.ts", "--project=e2e*"]),
 );
+// The engines that are installed; the others are named.
+step("three engines", () => run("node", ["tests/engines/run.mjs", "--few", "--dist", "dist"]));
 console.log(`\nall tests passed in ${Math.round((Date.now() - start) / 1000)} s`);

@@ -2,12 +2,10 @@
  * The same program, world and seed leave the same trace in the browser and under plain CPython,
  * event for event, for every demo of the article and every ready program of the lab.
  */
-import { spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { filesBelow, ROOT } from "../../site/build/files.mjs";
-import { venvTool } from "../setup.mjs";
+import { nativeTrace, partingOf } from "../native-trace.mjs";
 import { expect, test } from "./fixtures.ts";
 
 const ARTICLE = join(ROOT, "lessons/occupancy-grid-mapping/programs");
@@ -40,15 +38,6 @@ const ready: Case[] = index.map(({ world, program }) => ({
   seed: 7,
 }));
 
-function nativeTrace({ file, world, seed }: Case): string {
-  const out = join(mkdtempSync(join(tmpdir(), "trace-")), "native.trace");
-  const args = ["-m", "bugbot", "run", file, "--world", world, "--seed", `${seed}`, "--trace", out];
-  const env = { ...process.env, PYTHONPATH: join(ROOT, "py") };
-  const done = spawnSync(venvTool("python"), args, { env, encoding: "utf8" });
-  expect(done.status, done.stderr).toBe(0);
-  return readFileSync(out, "utf8");
-}
-
 test("native and browser traces are equal", async ({ app, page }) => {
   test.slow();
   const cases = [...demos, ...ready];
@@ -64,13 +53,7 @@ test("native and browser traces are equal", async ({ app, page }) => {
         },
         { ...one, program: readFileSync(one.file, "utf8") },
       );
-      const expected = nativeTrace(one).trimEnd().split("\n");
-      const got = (browser ?? "").trimEnd().split("\n");
-      // The header differs in nothing that matters but the order of its fields.
-      expect(JSON.parse(got[0] ?? "")).toEqual(JSON.parse(expected[0] ?? ""));
-      expect(got.length).toBe(expected.length);
-      const parted = got.findIndex((row, i) => i > 0 && !sameRow(row, expected[i] ?? ""));
-      expect(parted === -1 ? "" : `row ${parted}: ${got[parted]} / ${expected[parted]}`).toBe("");
+      expect(partingOf(browser ?? "", nativeTrace(one))).toBe("");
     });
   }
 });
@@ -81,9 +64,4 @@ interface Lab {
   program: string;
   run(): Promise<unknown>;
   traceText(): string | null;
-}
-
-/** Equal values: 5 and 5.0 are two spellings of one number. */
-function sameRow(a: string, b: string): boolean {
-  return a === b || JSON.stringify(JSON.parse(a)) === JSON.stringify(JSON.parse(b));
 }

@@ -5,7 +5,7 @@ import { Lab } from "./lab.mjs";
 
 const PAGES = {
   home: "",
-  lab: "lab/?world=post-and-shelf",
+  lab: "lab/?world=doorway",
   article: "occupancy-grid-mapping/",
   demo: "occupancy-grid-mapping/#lab-demo-1",
   task: "lessons/u8-1-a-map-of-cells/#task-cell-of-a-point",

@@ -106,21 +106,29 @@ async function inEngine(engine) {
   if (!driver) return report;
   report.version = `${title} ${driver.version.replace(/^\D*/, "")}`;
   console.log(`\n${report.version}`);
-  const tab = new Tab(driver, site.url);
-  for (const story of stories) {
-    tab.leaveFor(site.url);
-    const told = await tell(story, tab, join(ROOT, "test-results", `engines-${name}.png`));
-    const { result, seconds, detail } = told;
-    console.log(`  ${result.padEnd(8)} ${seconds.toFixed(1).padStart(5)} s  ${story.name}`);
-    if (detail) console.log(`                    ${detail.slice(0, 500)}`);
-    await tab.leave();
-    report.told.push(told);
+  try {
+    const tab = new Tab(driver, site.url);
+    for (const story of stories) {
+      tab.leaveFor(site.url);
+      const told = await tell(story, tab, join(ROOT, "test-results", `engines-${name}.png`));
+      const { result, seconds, detail } = told;
+      console.log(`  ${result.padEnd(8)} ${seconds.toFixed(1).padStart(5)} s  ${story.name}`);
+      if (detail) console.log(`                    ${detail.slice(0, 500)}`);
+      await tab.leave();
+      report.told.push(told);
+    }
+    if (options.pictures) {
+      tab.leaveFor(site.url);
+      await takePictures(tab, resolve(options.pictures), name);
+    }
+  } catch (error) {
+    // The engine itself has gone, or a picture could not be taken.
+    const detail = messageOf(error);
+    console.log(`  ${title}: ${detail}`);
+    report.told.push({ story: stories.at(-1)?.name ?? "", result: "failed", seconds: 0, detail });
+  } finally {
+    await driver.close().catch(() => {});
   }
-  if (options.pictures) {
-    tab.leaveFor(site.url);
-    await takePictures(tab, resolve(options.pictures), name);
-  }
-  await driver.close();
   return report;
 }
 

@@ -26,8 +26,8 @@ import { inWords, look } from "./look.mjs";
  */
 
 const LOOK_EVERY_MS = 100;
-/** A busy machine of two cores may take long to start Python. */
-const PATIENCE_MS = 60_000;
+/** WebKitGTK on a busy machine of two cores takes long to start Python, and longer for NumPy. */
+const PATIENCE_MS = 120_000;
 
 export class Tab {
   #driver;
