@@ -58,7 +58,7 @@ def marked(folder: Path, out: Path, *how: str) -> tuple[float, dict[str, object]
 def cluster() -> Iterator[str]:
     """The address of a local cluster: two workers, each a process."""
     with LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
     ) as local:
         yield local.scheduler_address
 

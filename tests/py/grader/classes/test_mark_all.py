@@ -77,7 +77,7 @@ def test_a_cluster_gives_the_same_marks_as_processes(folder: Path, tmp_path: Pat
     plain, cluster = tmp_path / "plain", tmp_path / "cluster"
     assert main(["mark-all", str(folder), "--trusted", "--out", str(plain)]) == 0
     with LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
     ) as local:
         how = ["--trusted", "--out", str(cluster), "--dask", local.scheduler_address]
         assert main(["mark-all", str(folder), *how]) == 0
