@@ -52,6 +52,7 @@ export const STORIES = [
       await lab.write(NEVER_ENDS);
       await lab.run();
       await lab.status(/^Running/);
+      await lab.printed(/off we go/);
       await lab.stop();
       await lab.status(/You stopped the program/);
       await lab.printed(/off we go/);
