@@ -58,6 +58,8 @@ if (!options.dist) {
   const { build } = await import("../../site/build/build.mjs");
   await build();
 }
+// So that the servers and the screen go as well.
+for (const signal of ["SIGINT", "SIGTERM"]) process.once(signal, () => process.exit(1));
 const dist = resolve(options.dist ?? join(ROOT, "dist"));
 const site = await serve(dist);
 
