@@ -7,7 +7,7 @@ await check();
 const { ensureBrowser } = await import("./setup.mjs");
 ensureBrowser();
 // A few noises here; `npm run lesson:check` tries twenty.
-step("lessons", () => run("node", ["site/build/lesson-check.mjs", "--seeds", "4"]));
+step("lessons", () => run("node", ["site/build/lesson-check.mjs", "--seeds", "2"]));
 step("same marks in the browser's Python", () =>
   run("node", ["tests/lessons/same-marks.mjs", "--few"]),
 );
