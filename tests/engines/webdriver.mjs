@@ -13,6 +13,8 @@ import { setTimeout as pause } from "node:timers/promises";
 
 const SCREEN = { width: 1280, height: 800 };
 const START_MS = 60_000;
+/** Without one, a machine of no language gives pages the language "C", which Intl refuses. */
+const LANGUAGE = { LANG: "en_GB.UTF-8", LANGUAGE: "en_GB", LC_ALL: "en_GB.UTF-8" };
 const SCRIPT_MS = 120_000;
 /** The name under which an answer holds a reference to an element (W3C WebDriver, section 12). */
 const ELEMENT = "element-6066-11e4-a52e-4f735466cecf";
@@ -27,7 +29,7 @@ export async function openWebKit({ WebKitWebDriver = "", MiniBrowser = "", Xvfb 
   const screen = await openScreen(Xvfb);
   const port = await freePort();
   const driver = spawn(WebKitWebDriver, [`--port=${port}`, "--host=127.0.0.1"], {
-    env: { ...process.env, DISPLAY: screen.display, GDK_BACKEND: "x11" },
+    env: { ...process.env, ...LANGUAGE, DISPLAY: screen.display, GDK_BACKEND: "x11" },
     stdio: ["ignore", "pipe", "pipe"],
   });
   const complaints = /** @type {string[]} */ ([]);
