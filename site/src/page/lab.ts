@@ -264,8 +264,8 @@ export class BugbotLab extends LitElement {
       },
       onRun: () => void this.run(),
       onNumber: (event) => this.#runs.follow(event),
-      // What can be undone at the moment matters more.
-      onRefused: () => this.#note?.action ?? this.say({ text: statusWords.notKept }),
+      // What is being said at the moment matters more.
+      onRefused: () => this.#note ?? this.say({ text: statusWords.notKept }),
     });
     this.#files = new LabFiles({
       lab: this,
