@@ -47,7 +47,10 @@ test("native and browser traces are equal", async ({ app, page }) => {
     await test.step(`${one.file.slice(ROOT.length)} on ${one.world}`, async () => {
       const browser = await page.locator("bugbot-lab").evaluate(
         async (lab: HTMLElement & Lab, { world, seed, program }) => {
-          Object.assign(lab, { world, seed, program });
+          Object.assign(lab, { world, seed });
+          // Each world has a program of its own, which comes with it.
+          await lab.updateComplete;
+          lab.program = program;
           await lab.run();
           return lab.traceText();
         },
@@ -62,6 +65,7 @@ interface Lab {
   world: string;
   seed: number;
   program: string;
+  updateComplete: Promise<unknown>;
   run(): Promise<unknown>;
   traceText(): string | null;
 }
