@@ -1,6 +1,6 @@
 """The dialogue of judge and performer under plain CPython.
 
-May import: the standard library, `grader.judge`.
+May import: the standard library, `grader.judge`, `grader.processes`.
 
 A `Performer` keeps one process waiting that has imported what a run needs, and nothing of a
 judge. For each job it forks, so that every job has a fresh interpreter a few milliseconds
@@ -11,19 +11,17 @@ again. A job that takes too long, answers too much or breaks its interpreter is 
 from __future__ import annotations
 
 import json
-import os
-import signal
 import subprocess
 import sys
 import threading
 from collections.abc import Callable
-from contextlib import suppress
 from pathlib import Path
 from queue import Empty, Queue
 from types import TracebackType
 from typing import IO, Any
 
 from grader.judge import step
+from grader.processes import end
 
 __all__ = ["Performer", "mark_program"]
 
@@ -100,17 +98,8 @@ class Performer:
     def close(self) -> None:
         """End the process and whatever it has started."""
         server, self._server = self._server, None
-        if server is None:
-            return
-        with suppress(ProcessLookupError):  # it may be gone by itself
-            if hasattr(os, "killpg"):
-                os.killpg(server.pid, signal.SIGKILL)
-            else:
-                server.kill()
-        server.wait()
-        for pipe in (server.stdin, server.stdout):
-            if pipe is not None:
-                pipe.close()
+        if server is not None:
+            end(server)
 
     def _started(self) -> subprocess.Popen[bytes]:
         if self._server is not None and self._server.poll() is None:

@@ -1,6 +1,15 @@
 /** Small helpers over files and hashes for the build. Imports nothing of ours. */
 import { createHash } from "node:crypto";
-import { existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import {
+  existsSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from "node:fs";
 import { dirname, join, relative, sep } from "node:path";
 import { fileURLToPath } from "node:url";
 
@@ -51,6 +60,38 @@ export function hashOfFiles(paths) {
 export function write(path, data) {
   mkdirSync(dirname(path), { recursive: true });
   writeFileSync(path, data);
+}
+
+/** Of what was prepared in one place, so much is kept: another process may be reading its own. */
+const KEPT = 3;
+
+/**
+ * A folder named by what went into it, made if it isn't there. It is written elsewhere and then
+ * moved, so whoever finds it finds it whole, however many processes prepare it side by side.
+ * @param {string} home
+ * @param {string} key
+ * @param {(folder: string) => Promise<void>} make writes all of it into the folder it is given
+ * @returns {Promise<string>}
+ */
+export async function preparedFolder(home, key, make) {
+  const folder = join(home, key);
+  if (existsSync(folder)) return folder;
+  const draft = `${folder}.${process.pid}`;
+  mkdirSync(draft, { recursive: true });
+  await make(draft);
+  try {
+    renameSync(draft, folder);
+  } catch (error) {
+    rmSync(draft, { recursive: true, force: true });
+    // Another process was quicker: what it made is the same.
+    if (!existsSync(folder)) throw error;
+  }
+  const age = (/** @type {string} */ path) => statSync(path).mtimeMs;
+  const all = readdirSync(home).map((name) => join(home, name));
+  for (const old of all.sort((a, b) => age(b) - age(a)).slice(KEPT)) {
+    rmSync(old, { recursive: true, force: true });
+  }
+  return folder;
 }
 
 /**

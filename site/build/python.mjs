@@ -6,18 +6,16 @@
  * Large files are stored gzipped under names that end in .bin, so that they are small on any static
  * host and no server unpacks them on the way; the page does that itself.
  */
-import { existsSync, readdirSync, readFileSync, renameSync, rmSync, statSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
-import { CACHE, filesBelow, hashOfFiles, ROOT, sha256, write } from "./files.mjs";
+import { CACHE, filesBelow, hashOfFiles, preparedFolder, ROOT, sha256, write } from "./files.mjs";
 import { numpyWheel } from "./numpy.mjs";
 import { makeSnapshot, runInPyodide } from "./snapshot.mjs";
 
 const PYODIDE = join(ROOT, "node_modules/pyodide");
 /** One folder for each state of what goes in. */
 const READY = join(CACHE, "python");
-/** Of these, so many are kept: another build may be reading its own. */
-const KEPT = 3;
 
 /** Packages under py/ that go to the browser. */
 const PACKAGES = ["bugbot", "mapping", "grader", "bridge"];
@@ -52,20 +50,7 @@ json.dumps(describe(), ensure_ascii=False)
 export async function preparePython(log = (_text) => {}) {
   const sources = readSources();
   const key = inputsKey();
-  const folder = join(READY, key);
-  if (!existsSync(folder)) {
-    // Written elsewhere and then moved: whoever finds the folder finds it whole.
-    const part = `${folder}.${process.pid}`;
-    await prepareInto(part, key, sources, log);
-    try {
-      renameSync(part, folder);
-    } catch (error) {
-      // Another build was faster: what it made is the same.
-      if (!existsSync(folder)) throw error;
-      rmSync(part, { recursive: true });
-    }
-    removeOld();
-  }
+  const folder = await preparedFolder(READY, key, (draft) => prepareInto(draft, key, sources, log));
   /** @param {string} name */
   const read = (name) => JSON.parse(readFileSync(join(folder, name), "utf8"));
   return { folder, manifest: read("manifest.json"), course: read("course.json") };
@@ -133,15 +118,6 @@ function inputsKey() {
     join(ROOT, "site/build", `${name}.mjs`),
   );
   return hashOfFiles([...ours, ...build, join(PYODIDE, "package.json")]);
-}
-
-/** Removes all but the newest folders. */
-function removeOld() {
-  const folders = readdirSync(READY).map((name) => join(READY, name));
-  const age = (/** @type {string} */ path) => statSync(path).mtimeMs;
-  for (const old of folders.toSorted((a, b) => age(b) - age(a)).slice(KEPT)) {
-    rmSync(old, { recursive: true, force: true });
-  }
 }
 
 /**

@@ -6,18 +6,19 @@
  * The folder holds a bundle of site/sandbox/performer.ts and, unpacked, all that it reads; the process
  * may read that folder, and nothing else of this machine.
  */
-import {
-  cpSync,
-  existsSync,
-  mkdtempSync,
-  readdirSync,
-  readFileSync,
-  renameSync,
-  rmSync,
-} from "node:fs";
+import { cpSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { gunzipSync } from "node:zlib";
-import { CACHE, filesBelow, hashOfFiles, messageOf, ROOT, sha256, write } from "./files.mjs";
+import {
+  CACHE,
+  filesBelow,
+  hashOfFiles,
+  messageOf,
+  preparedFolder,
+  ROOT,
+  sha256,
+  write,
+} from "./files.mjs";
 import { ensureInstalled, fail } from "./install.mjs";
 
 const HOME = join(CACHE, "sandbox");
@@ -35,22 +36,17 @@ export async function prepareSandbox() {
     join(ROOT, "site/build/sandbox.mjs"),
   ];
   const key = sha256(manifest.key + hashOfFiles(scripts)).slice(0, 16);
-  const folder = join(HOME, key);
-  if (!existsSync(folder)) await make(folder, python, manifest);
+  const folder = await preparedFolder(HOME, key, (draft) => make(draft, python, manifest));
   return { command: [process.execPath, ...options(folder), join(folder, "performer.mjs")], folder };
 }
 
 /**
- * @param {string} folder
+ * @param {string} draft the folder to write
  * @param {string} python
  * @param {import("./python.mjs").Manifest} manifest
  */
-async function make(folder, python, manifest) {
+async function make(draft, python, manifest) {
   console.error("preparing the locked-down Python for marking");
-  const earlier = existsSync(HOME) ? readdirSync(HOME) : [];
-  write(join(HOME, ".keep"), "");
-  // Made aside and then named: nobody finds it half done.
-  const draft = mkdtempSync(join(HOME, "draft-"));
   await bundle(join(ROOT, "site/sandbox/performer.ts"), draft, "performer.mjs");
   /** @param {string} name */
   const stored = (name) => readFileSync(join(python, manifest.files[name]?.path ?? name));
@@ -59,14 +55,6 @@ async function make(folder, python, manifest) {
   write(join(draft, "stdlib.zip"), stored("stdlib"));
   write(join(draft, "numpy.whl"), stored("numpy"));
   cpSync(join(python, manifest.loader), join(draft, "loader"), { recursive: true });
-  try {
-    renameSync(draft, folder);
-  } catch (error) {
-    rmSync(draft, { recursive: true });
-    // Another process was quicker.
-    if (!existsSync(folder)) throw error;
-  }
-  for (const name of earlier) rmSync(join(HOME, name), { recursive: true, force: true });
 }
 
 /**

@@ -1,6 +1,6 @@
 """Does a job in the locked-down Python under Node: for files that nobody vouches for.
 
-May import: the standard library, `grader.lesson`.
+May import: the standard library, `grader.lesson`, `grader.processes`.
 
 Each job has a process of its own (site/sandbox/performer.ts): the page's own worker, with Node's
 permission model around it. Where the system offers it (Linux), the process is also told, before it
@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import json
 import os
-import signal
 import subprocess
 import threading
 from contextlib import suppress
@@ -25,6 +24,7 @@ from types import TracebackType
 from typing import IO, Any
 
 from grader.lesson import CourseError
+from grader.processes import end
 
 __all__ = ["Sandbox", "SandboxError", "close_everything", "prepared"]
 
@@ -109,18 +109,8 @@ class Sandbox:
     def close(self) -> None:
         """End the process that is at work, if one is."""
         process, self._process = self._process, None
-        if process is None:
-            return
-        with suppress(ProcessLookupError):  # it may be gone by itself
-            if hasattr(os, "killpg"):
-                os.killpg(process.pid, signal.SIGKILL)
-            else:
-                process.kill()
-        process.wait()
-        for pipe in (process.stdin, process.stdout):
-            if pipe is not None:
-                with suppress(BrokenPipeError):
-                    pipe.close()
+        if process is not None:
+            end(process)
 
     def _start(self) -> tuple[subprocess.Popen[bytes], Queue[bytes]]:
         process = subprocess.Popen(

@@ -3,6 +3,7 @@
  * of `py/grader`. May import the trace.
  */
 import type { World } from "../trace/events.ts";
+import { isList, isRecord } from "./shape.ts";
 
 export type CheckStatus = "passed" | "failed" | "not run";
 
@@ -150,18 +151,6 @@ function isWorld(value: unknown): value is World {
     Array.isArray(value.obstacles) &&
     isRecord(value.start)
   );
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
-}
-
-function isList(
-  value: unknown,
-  most: number,
-  holds: (item: unknown) => boolean,
-): value is unknown[] {
-  return Array.isArray(value) && value.length <= most && value.every(holds);
 }
 
 function isText(value: unknown): value is string {

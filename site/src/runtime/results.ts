@@ -5,6 +5,7 @@
  * Fetched with the first mark that has any: most tasks have none.
  */
 import type { World } from "../trace/events.ts";
+import { isList, isRecord } from "./shape.ts";
 
 /** A number of a run, and the limits it has to keep. */
 export interface Figure {
@@ -117,14 +118,6 @@ function isWorld(value: unknown): boolean {
     Array.isArray(value.obstacles) &&
     isRecord(value.start)
   );
-}
-
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
-}
-
-function isList(value: unknown, most: number, holds: (item: unknown) => boolean): boolean {
-  return Array.isArray(value) && value.length <= most && value.every(holds);
 }
 
 function isPlace(value: unknown): boolean {
