@@ -26,7 +26,13 @@ export default defineConfig({
   fullyParallel: true,
   outputDir: "../test-results",
   reporter: process.env.CI ? [["list"], ["html", { open: "never" }]] : "list",
-  use: { baseURL: SITE ?? `http://127.0.0.1:${PORT}${FOLDER}`, trace: "on-first-retry" },
+  use: {
+    baseURL: SITE ?? `http://127.0.0.1:${PORT}${FOLDER}`,
+    trace: "on-first-retry",
+    // Each story is a first visit: keeping the site on the device would take as long as its runs.
+    // The stories of that have a site of their own (own-site.ts), where it is kept.
+    serviceWorkers: "block",
+  },
   // A story waits for frames and downloads as long as it computes: two fit on two cores.
   ...(process.env.CI ? { workers: 2 } : {}),
   // A shared machine of two cores: a story that fails twice has failed.

@@ -117,7 +117,8 @@ function inputsKey() {
   const build = ["files", "numpy", "python", "snapshot"].map((name) =>
     join(ROOT, "site/build", `${name}.mjs`),
   );
-  return hashOfFiles([...ours, ...build, join(PYODIDE, "package.json")]);
+  const pages = join(ROOT, "site/src/worker/snapshot-pages.mjs");
+  return hashOfFiles([...ours, ...build, pages, join(PYODIDE, "package.json")]);
 }
 
 /**

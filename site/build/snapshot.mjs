@@ -6,6 +6,7 @@
  */
 import { join } from "node:path";
 import { loadPyodide } from "pyodide";
+import { memoryOf, packSnapshot, Snapshot } from "../src/worker/snapshot-pages.mjs";
 import { ROOT } from "./files.mjs";
 
 /**
@@ -25,7 +26,7 @@ import { ROOT } from "./files.mjs";
 const SITE_PACKAGES = "/lib/python3.14/site-packages";
 
 /** WebAssembly's memory grows by so much. */
-const PAGE_BYTES = 65_536;
+const GROWTH_BYTES = 65_536;
 
 /** Standard modules that programs on the site use, so that no run waits for the library archive. */
 const STANDARD_MODULES = [
@@ -43,17 +44,15 @@ const STANDARD_MODULES = [
 
 /**
  * @param {Record<string, string>} sources path below site-packages -> text
- * @returns {Promise<Uint8Array>} the memory, without the zeros at its end, as its difference from
- *   the memory of an interpreter that has not started. Whoever loads it has that memory too, so it
- *   need not be downloaded a second time (a quarter of the file).
+ * @returns {Promise<Uint8Array<ArrayBuffer>>} its file: see `snapshot-pages.mjs`
  */
 export async function makeSnapshot(sources) {
   /** @type {Uint8Array | null} */
   let fresh = null;
   const pyodide = /** @type {SnapshotMaker} */ (
-    await withFreshMemory(
-      (bytes) => {
-        fresh = bytes.slice();
+    await withFreshInstance(
+      (instance) => {
+        fresh = new Uint8Array(memoryOf(instance).buffer).slice();
       },
       () => loadPyodide({ ...settings(), _makeSnapshot: true }),
     )
@@ -70,40 +69,104 @@ del _name, importlib
   zeroFreedMemory(pyodide);
   const snapshot = trimZeros(pyodide.makeMemorySnapshot());
   if (!fresh) throw new Error("Pyodide started without an instance that has a memory");
-  differ(snapshot, fresh);
-  return snapshot;
+  const file = packSnapshot(snapshot, fresh, await memoryBeforeRestoring(snapshot));
+  await prove(file, snapshot);
+  return file;
 }
 
 /**
- * Turns a snapshot's memory into its difference from a fresh one, in place, and back again.
- * `completeSnapshot` in the site's worker does the same.
- * @param {Uint8Array} snapshot
- * @param {Uint8Array} fresh
+ * The memory of an interpreter in the moment a snapshot is put into its place.
+ * @param {Uint8Array} snapshot as Pyodide makes it
  */
-function differ(snapshot, fresh) {
-  // The second word says where the memory begins, behind what Pyodide notes about it.
-  const start = new Uint32Array(snapshot.buffer, snapshot.byteOffset, 2)[1] ?? 0;
-  const length = Math.min(snapshot.length - start, fresh.length);
-  for (let i = 0; i < length; i += 1) {
-    snapshot[start + i] = (snapshot[start + i] ?? 0) ^ (fresh[i] ?? 0);
-  }
+async function memoryBeforeRestoring(snapshot) {
+  /** @type {Uint8Array | null} */
+  let before = null;
+  const given = snapshot.slice();
+  /** @param {WebAssembly.Instance} instance */
+  const begin = (instance) => {
+    const memory = memoryOf(instance);
+    const more = snapshot.length - memory.buffer.byteLength;
+    if (more > 0) memory.grow(Math.ceil(more / GROWTH_BYTES));
+  };
+  await load(given, begin, (memory, take) => {
+    before = memory.slice();
+    return take();
+  });
+  if (!before) throw new Error("Pyodide has not taken the snapshot");
+  return before;
 }
 
 /**
- * Starts something and hands over the memory of the interpreter in it as it is before it starts.
+ * Starts an interpreter from the file and compares its memory with the snapshot's.
+ * @param {Uint8Array<ArrayBuffer>} file
+ * @param {Uint8Array} snapshot as Pyodide makes it
+ */
+async function prove(file, snapshot) {
+  const wanted = snapshot.subarray(new Uint32Array(snapshot.buffer, 0, 2)[1]);
+  let parting = Number.NaN;
+  await startFrom(file, (memory, take) => {
+    const nothing = take();
+    parting = wanted.findIndex((byte, i) => byte !== memory[i]);
+    return nothing;
+  });
+  if (parting !== -1) throw new Error(`the snapshot's file gives another memory at ${parting}`);
+}
+
+/**
+ * @param {Uint8Array<ArrayBuffer>} file of a snapshot
+ * @param {Taking} [taking]
+ */
+function startFrom(file, taking = (_memory, take) => take()) {
+  const snapshot = new Snapshot(file.slice().buffer);
+  return load(snapshot.forLoader(), (instance) => snapshot.begin(instance), taking);
+}
+
+/**
+ * Called with an interpreter's memory in place of what takes the snapshot's memory out of it.
+ * @typedef {(memory: Uint8Array, take: () => Uint8Array) => Uint8Array} Taking
+ */
+
+/**
+ * @param {Uint8Array} snapshot for Pyodide
+ * @param {(instance: WebAssembly.Instance) => void} begin before the interpreter starts
+ * @param {Taking} taking
+ */
+function load(snapshot, begin, taking) {
+  /** @type {WebAssembly.Memory | null} */
+  let memory = null;
+  const { subarray } = snapshot;
+  Object.defineProperty(snapshot, "subarray", {
+    /** @param {[number, number?]} range */
+    value: (...range) => {
+      const take = () => subarray.apply(snapshot, range);
+      // The memory is what lies behind the notes: from somewhere to the end.
+      return range.length === 1 && memory ? taking(new Uint8Array(memory.buffer), take) : take();
+    },
+  });
+  return withFreshInstance(
+    (fresh) => {
+      memory = memoryOf(fresh);
+      begin(fresh);
+    },
+    () => loadPyodide({ ...settings(), _loadSnapshot: snapshot }),
+  );
+}
+
+/**
+ * Starts something and hands over the instance of the interpreter in it as it is before it starts.
  * @template Started
- * @param {(bytes: Uint8Array, memory: WebAssembly.Memory) => void} seen
+ * @param {(instance: WebAssembly.Instance) => void} seen
  * @param {() => Promise<Started>} start
  * @returns {Promise<Started>}
  */
-async function withFreshMemory(seen, start) {
+async function withFreshInstance(seen, start) {
   const instantiate = WebAssembly.instantiate;
   /** @param {[any, any]} given */
   const watched = async (...given) => {
     const made = await instantiate(...given);
     const instance = made instanceof WebAssembly.Instance ? made : made.instance;
-    const { memory } = instance.exports;
-    if (memory instanceof WebAssembly.Memory) seen(new Uint8Array(memory.buffer), memory);
+    // The loader makes others of its own.
+    if ("memory" in instance.exports) seen(instance);
     return made;
   };
   WebAssembly.instantiate = /** @type {typeof WebAssembly.instantiate} */ (watched);
@@ -142,20 +205,12 @@ export async function runInPyodide(sources, code) {
 }
 
 /**
- * An interpreter started from such a snapshot, in Node.
- * @param {Uint8Array} snapshot
+ * An interpreter started from such a snapshot's file, in Node.
+ * @param {Uint8Array<ArrayBuffer>} file
  * @param {Record<string, string>} sources those in the snapshot, and more if need be
  */
-export async function startFromSnapshot(snapshot, sources) {
-  const complete = snapshot.slice();
-  const pyodide = await withFreshMemory(
-    (fresh, memory) => {
-      differ(complete, fresh);
-      const more = complete.length - fresh.length;
-      if (more > 0) memory.grow(Math.ceil(more / PAGE_BYTES));
-    },
-    () => loadPyodide({ ...settings(), _loadSnapshot: complete }),
-  );
+export async function startFromSnapshot(file, sources) {
+  const pyodide = await startFrom(file);
   install(pyodide, sources);
   pyodide.runPython("import importlib; importlib.invalidate_caches(); del importlib");
   return pyodide;

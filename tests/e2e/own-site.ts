@@ -77,4 +77,6 @@ export const test = base.extend<{ site: OwnSite }>({
   },
 
   baseURL: async ({ site }, use) => use(site.url),
+
+  serviceWorkers: "allow",
 });

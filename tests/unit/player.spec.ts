@@ -168,7 +168,13 @@ test.describe("a run that is still growing", () => {
     player.play();
     for (let i = 0; i < 15; i++) frames.next();
     expect([player.time, player.playing]).toEqual([1, true]);
+    // Nothing is drawn meanwhile: the program has the machine to itself.
+    expect(frames.requested).toBe(0);
     grow(trace, [["end", 1.15, "finished", ""]]);
+    player.grown();
+    // However long that took, it goes on from where it was.
+    frames.next(5000);
+    expect(player.time).toBe(1);
     frames.next();
     expect(player.time).toBeCloseTo(1.1, 9);
     frames.next();

@@ -163,7 +163,9 @@ export class Player extends EventTarget {
     this.#lastFrame = now;
     const t = this.#time + Math.min(elapsed, LONGEST_FRAME_S) * this.#speed;
     this.#time = Math.min(t, this.duration);
-    if (this.#trace.complete && t >= this.duration) this.#playing = false;
-    else this.#changed();
+    if (t < this.duration) this.#changed();
+    else if (this.#trace.complete) this.#playing = false;
+    // Nothing changes until the trace has grown: the program has the machine to itself.
+    else this.#lastFrame = null;
   }
 }

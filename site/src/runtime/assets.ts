@@ -12,7 +12,7 @@ export class Assets {
   readonly progress = new Progress();
   readonly #module: Promise<WebAssembly.Module>;
   #snapshot: Promise<Blob | null>;
-  readonly #sources: Promise<Record<string, string>>;
+  readonly #sources: Promise<Record<string, Uint8Array>>;
   #stdlib: Promise<ArrayBuffer> | null = null;
   #stdlibBytes: ArrayBuffer | null = null;
   #numpy: Promise<ArrayBuffer> | null = null;
@@ -30,8 +30,8 @@ export class Assets {
         note(error);
         return null;
       });
-    this.#sources = this.#unpack(files.sources).then(
-      (response) => response.json() as Promise<Record<string, string>>,
+    this.#sources = this.#unpack(files.sources).then(async (response) =>
+      encoded((await response.json()) as Record<string, string>),
     );
     // Each is awaited in boot(); until then a failure is not "unhandled".
     for (const part of [this.#module, this.#snapshot, this.#sources]) part.catch(() => {});
@@ -94,6 +94,20 @@ export class Assets {
   async #bytes(file: PythonFile, progress: Progress): Promise<ArrayBuffer> {
     return new Response(await fetchCounted(download(file), progress)).arrayBuffer();
   }
+}
+
+/** In one buffer, which is copied for a worker in one go. */
+function encoded(texts: Record<string, string>): Record<string, Uint8Array> {
+  const encoder = new TextEncoder();
+  const whole = encoder.encode(Object.values(texts).join(""));
+  let at = 0;
+  return Object.fromEntries(
+    Object.entries(texts).map(([path, text]) => {
+      const { length } = encoder.encode(text);
+      at += length;
+      return [path, whole.subarray(at - length, at)];
+    }),
+  );
 }
 
 function note(error: unknown): void {

@@ -14,12 +14,12 @@ export interface Boot {
   pyodideUrl: string;
   /** The compiled interpreter, shared by every worker of the page. */
   module: WebAssembly.Module;
-  /** Memory of the started interpreter, or null for a plain start. */
+  /** Memory of the started interpreter (`snapshot-pages`), or null for a plain start. */
   snapshot: Blob | null;
   /** The standard library archive; may be null with a snapshot, while it is on its way. */
   stdlib: ArrayBuffer | null;
-  /** Our Python sources: path below site-packages -> text. */
-  sources: Record<string, string>;
+  /** Our Python sources: path below site-packages -> text in UTF-8. */
+  sources: Record<string, Uint8Array>;
 }
 
 /** Each ends the run with a plain message; the names are those of `bugbot.run.Limits`. */

@@ -6,15 +6,13 @@ import type { PyodideAPI } from "pyodide";
 import type { Boot } from "../runtime/messages.ts";
 import type { LastWords } from "./last-words.ts";
 import { bareGlobals } from "./lockdown.ts";
+import { Snapshot } from "./snapshot-pages.mjs";
 
 const SITE_PACKAGES = "/lib/python3.14/site-packages";
 const STDLIB_ARCHIVE = "/lib/python314.zip";
 
 /** A program may use this much memory before Python's MemoryError; a tab has little more. */
 const MEMORY_LIMIT_BYTES = 1024 * 1024 * 1024;
-
-/** WebAssembly's memory grows by so much. */
-const PAGE_BYTES = 65_536;
 
 /** The end record of a zip archive, alone: an archive with nothing in it. */
 const EMPTY_ZIP = Uint8Array.of(0x50, 0x4b, 5, 6, ...new Array<number>(18).fill(0));
@@ -53,7 +51,8 @@ export async function startInterpreter(boot: Boot, lastWords: LastWords): Promis
     import(/* @vite-ignore */ `${boot.pyodideUrl}pyodide.asm.mjs`) as Promise<{ default: Factory }>,
   ]);
   const errorMarker = await makeErrorMarker();
-  const snapshot = boot.snapshot && new Uint8Array(await boot.snapshot.arrayBuffer());
+  compileEachOnce();
+  const snapshot = boot.snapshot && new Snapshot(await boot.snapshot.arrayBuffer());
   // The loader waits for an instance and has no ear for there being none.
   let noInstance: (error: unknown) => void = () => {};
   const failed = new Promise<never>((_, reject) => {
@@ -69,14 +68,14 @@ export async function startInterpreter(boot: Boot, lastWords: LastWords): Promis
     stderr: (text: string) => lastWords.hear(text),
     // Packages are unpacked by hand: the lock file would only be fetched and parsed for nothing.
     lockFileContents: { info: lockInfo(), packages: {} },
-    ...(snapshot ? { _loadSnapshot: snapshot } : {}),
+    ...(snapshot ? { _loadSnapshot: snapshot.forLoader() } : {}),
     createPyodideModule: (settings: Settings) => {
       settings.instantiateWasm = (imports, done) => {
         Object.assign(imports.env ?? {}, errorMarker);
         limitMemory(imports);
         WebAssembly.instantiate(boot.module, imports)
           .then((instance) => {
-            if (snapshot) completeSnapshot(snapshot, instance);
+            snapshot?.begin(instance);
             done(instance, boot.module);
           })
           .catch(noInstance);
@@ -86,10 +85,10 @@ export async function startInterpreter(boot: Boot, lastWords: LastWords): Promis
     },
   });
   const pyodide = await Promise.race([loaded, failed]);
-  for (const [path, text] of Object.entries(boot.sources)) {
+  for (const [path, bytes] of Object.entries(boot.sources)) {
     const target = `${SITE_PACKAGES}/${path}`;
     pyodide.FS.mkdirTree(target.slice(0, target.lastIndexOf("/")));
-    pyodide.FS.writeFile(target, text);
+    pyodide.FS.writeFile(target, bytes, { canOwn: true });
   }
   return pyodide;
 }
@@ -132,6 +131,29 @@ function answerFetchesFrom(boot: Boot): void {
   };
 }
 
+/** Modules of this size are the loader's own little ones [bytes]. */
+const LITTLE_MODULE = 100;
+
+/**
+ * The loader makes 260 little modules, one for each of its functions that Python may call, and a
+ * dozen of them differ. A module that has been compiled is given out again.
+ */
+function compileEachOnce(): void {
+  const compiled = new Map<string, WebAssembly.Module>();
+  WebAssembly.Module = new Proxy(WebAssembly.Module, {
+    construct(Module, given: [BufferSource]) {
+      const [bytes] = given;
+      if (!(bytes instanceof Uint8Array) || bytes.length > LITTLE_MODULE) {
+        return new Module(...given);
+      }
+      const key = bytes.join();
+      const module = compiled.get(key) ?? new Module(bytes as Uint8Array<ArrayBuffer>);
+      compiled.set(key, module);
+      return module;
+    },
+  });
+}
+
 async function makeErrorMarker(): Promise<WebAssembly.ModuleImports> {
   try {
     const { instance } = await WebAssembly.instantiate(ERROR_MARKER);
@@ -144,22 +166,6 @@ async function makeErrorMarker(): Promise<WebAssembly.ModuleImports> {
       JsvError_Check: (value: unknown) => (value === marker ? 1 : 0),
     };
   }
-}
-
-/**
- * A snapshot comes as its difference from the memory of an interpreter that has not started, which
- * this instance is. In place, before the loader copies it over.
- */
-function completeSnapshot(snapshot: Uint8Array, { exports }: WebAssembly.Instance): void {
-  const { memory } = exports;
-  if (!(memory instanceof WebAssembly.Memory)) throw new Error("Python has no memory");
-  // The second word says where the memory begins, behind what Pyodide notes about it.
-  const start = new Uint32Array(snapshot.buffer, 0, 2)[1] ?? 0;
-  const more = snapshot.length - memory.buffer.byteLength;
-  if (more > 0) memory.grow(Math.ceil(more / PAGE_BYTES));
-  const words = new Uint32Array(snapshot.buffer, start, (snapshot.length - start) >> 2);
-  const fresh = new Uint32Array(memory.buffer);
-  for (let i = 0; i < words.length; i += 1) words[i] = (words[i] ?? 0) ^ (fresh[i] ?? 0);
 }
 
 /** Refuse to grow beyond the limit, so that Python raises MemoryError before the tab dies. */
