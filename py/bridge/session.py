@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import ast
 import json
-import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from typing import Any
 
 from pyodide.ffi import to_js  # type: ignore[import-not-found]  # exists only in the browser
 
+from bridge.imports import missing_modules
 from bugbot.run import Limits, run_program
 from bugbot.trace import Trace
 
@@ -21,42 +20,6 @@ real_time = time.perf_counter
 
 FLUSH_SECONDS = 0.016
 """What was recorded goes to the page at most once a frame."""
-
-
-def missing_modules(program: str) -> list[str]:
-    """Top-level names of the modules that a program imports and that are not loaded yet.
-
-    A program that cannot be parsed has none: running it will say what is wrong.
-    """
-    try:
-        tree = ast.parse(program)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return []
-    names: dict[str, None] = {}
-    for node in _statements(tree):
-        if isinstance(node, ast.Import):
-            imported = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom) and node.level == 0:
-            imported = [node.module or ""]
-        else:
-            continue
-        for name in imported:
-            # Of a dotted name, the package may be loaded and the module not.
-            if name and name not in sys.modules:
-                names[name.partition(".")[0]] = None
-    return list(names)
-
-
-def _statements(tree: ast.AST) -> Iterator[ast.AST]:
-    """Every statement, however deep. Expressions, which are most of a tree, are left out."""
-    waiting = [tree]
-    while waiting:
-        each = waiting.pop()
-        yield each
-        for name in ("body", "orelse", "finalbody", "handlers", "cases"):
-            inner = getattr(each, name, None)
-            if isinstance(inner, list):  # a lambda's body is none
-                waiting += inner
 
 
 class _Sender:
