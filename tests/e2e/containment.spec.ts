@@ -3,7 +3,7 @@
  * and the page are watched meanwhile. See ways-out.ts for the programs.
  */
 import { expect, test } from "./fixtures.ts";
-import { WAYS_OUT } from "./ways-out.ts";
+import { WAYS_OUT, type WayOut } from "./ways-out.ts";
 
 interface Lab {
   program: string;
@@ -14,8 +14,34 @@ interface Lab {
   }>;
 }
 
+/** Several ways in a run, and one that breaks its interpreter in a run of its own. */
+function inRuns(ways: readonly WayOut[]): WayOut[][] {
+  const harmless = ways.filter(({ breaks }) => !breaks);
+  const runs = ways.filter(({ breaks }) => breaks).map((way) => [way]);
+  for (let i = 0; i < harmless.length; i += 8) runs.push(harmless.slice(i, i + 8));
+  return runs;
+}
+
+/** A program that tries one way after the other, each with the modules as they were before. */
+function severalOf(ways: readonly WayOut[]): string {
+  const sources = JSON.stringify(ways.map(({ program }) => program));
+  return `import json, sys
+loaded = dict(sys.modules)
+for source in json.loads(${JSON.stringify(sources)}):
+    print("TRYING")
+    try:
+        exec(compile(source, "way out", "exec"), {"__name__": "__main__", "__builtins__": __builtins__})
+    except BaseException as error:
+        print("closed:", type(error).__name__, error)
+    sys.modules.clear()
+    sys.modules.update(loaded)
+`;
+}
+
 test("no way out of the sandbox is open", async ({ app, page }) => {
   test.setTimeout(240_000);
+  // A reader who doesn't want the site kept: the page then fetches nothing for that.
+  await page.addInitScript(() => localStorage.setItem("bugbot:offline", "no"));
   await app.openLab("world=empty");
   const lab = page.locator("bugbot-lab");
   // Everything the site itself will ever fetch has been fetched: what comes now is an escape.
@@ -41,14 +67,19 @@ test("no way out of the sandbox is open", async ({ app, page }) => {
   const before = await pageState();
   expect(WAYS_OUT.length).toBeGreaterThanOrEqual(20);
   const open: string[] = [];
-  for (const { name, program } of WAYS_OUT) {
-    const outcome = await lab.evaluate(async (element: HTMLElement & Lab, source) => {
+  for (const ways of inRuns(WAYS_OUT)) {
+    const { console } = await lab.evaluate(async (element: HTMLElement & Lab, source) => {
       element.program = source;
       return await element.run();
-    }, program);
-    if (outcome.console.includes("OPEN")) open.push(`${name}: ${outcome.console}`);
-    // The attempt must have been an attempt: a slip in the test's own program proves nothing.
-    expect(outcome.fault?.type ?? "", name).not.toMatch(/SyntaxError|IndentationError/);
+    }, severalOf(ways));
+    const told = console.split(/^TRYING$/m).slice(1);
+    if (!ways[0]?.breaks) expect(told.length, console).toBe(ways.length);
+    for (const [index, text] of told.entries()) {
+      const name = ways[index]?.name;
+      if (text.includes("OPEN")) open.push(`${name}: ${text}`);
+      // The attempt must have been an attempt: a slip in the test's own program proves nothing.
+      expect(text, name).not.toMatch(/SyntaxError|IndentationError/);
+    }
   }
   expect(open).toEqual([]);
   expect(asked).toEqual([]);

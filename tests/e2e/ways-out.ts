@@ -25,7 +25,14 @@ def js_objects():
     return [o for o in gc.get_objects() if "JsProxy" in type(o).__name__]
 `;
 
-export const WAYS_OUT: { name: string; program: string }[] = [
+export interface WayOut {
+  name: string;
+  program: string;
+  /** Trying it breaks the interpreter, so that what comes after it in a run is not carried out. */
+  breaks?: true;
+}
+
+export const WAYS_OUT: WayOut[] = [
   { name: "import js", program: `import js\nprint("OPEN", js.fetch)` },
   { name: "from js import fetch", program: `from js import fetch\nprint("OPEN", fetch)` },
   { name: "import pyodide_js", program: `import pyodide_js\nprint("OPEN", pyodide_js._module)` },
@@ -47,6 +54,7 @@ if jsfinder.jsproxies:
   },
   {
     name: "pyodide.code internals",
+    breaks: true,
     program: `import pyodide.code\nimport _pyodide_core\nfor n in dir(_pyodide_core):\n    if n in ("run_js", "eval_js", "js", "raw_call"):\n        thing = getattr(_pyodide_core, n)\n        try:\n            print("OPEN", n, thing("self.fetch || 1"))\n        except BaseException as e:\n            print("closed", n, type(e).__name__)`,
   },
   {
@@ -89,6 +97,7 @@ print("OPEN", c.getresponse().status)`,
   },
   {
     name: "ctypes: emscripten_run_script",
+    breaks: true,
     program: `
 import ctypes
 lib = ctypes.CDLL(None)
