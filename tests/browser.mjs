@@ -4,7 +4,7 @@ import { delimiter, join } from "node:path";
 import { chromium } from "@playwright/test";
 
 /** The shell first: the same engine without a window's furniture, and a third less to do per page. */
-const SHELL = "chromium-headless-shell";
+export const SHELL = "chromium-headless-shell";
 const NAMES = [
   SHELL,
   ...["chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chrome"],

@@ -32,7 +32,10 @@ test("same noise is the same run, new noise is another", { tag: "@once" }, async
   await expect(page.getByRole("combobox", { name: "Noise" })).toHaveValue("same");
 });
 
-test("twenty seeds: progress, a line a run, the spread and a summary", async ({ app, page }) => {
+test("twenty seeds: progress, a line a run, the spread and a summary", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   test.slow(true, "twenty interpreters one after the other, on a machine that may be busy");
   await app.openLab("world=wall-ahead&seed=5");
   await app.write(NOISY);
