@@ -10,6 +10,7 @@ import { join, normalize } from "node:path";
 import { contentSecurityPolicy } from "./csp.mjs";
 import { filesBelow, ROOT } from "./files.mjs";
 import { lessonPages } from "./lessons/plugin.mjs";
+import { licences } from "./licences.mjs";
 import { offline } from "./offline.mjs";
 import { preview } from "./preview.mjs";
 import { preparePython } from "./python.mjs";
@@ -30,7 +31,13 @@ export function bugbot({ lessons = join(ROOT, "lessons") } = {}) {
     preparing ??= preparePython((text) => console.log(text));
     return preparing;
   };
-  return [siteData(prepare), preview(lessons), lessonPages(prepare, lessons), offline()];
+  return [
+    siteData(prepare),
+    preview(lessons),
+    lessonPages(prepare, lessons),
+    licences(),
+    offline(),
+  ];
 }
 
 /**

@@ -7,7 +7,7 @@ const PROGRAMS = {
   "a small one": 'from bugbot import *\nprint("hello")\n',
   "an empty one": "",
   "letters of every kind": 'print("Grüße, 世界, 🤖, e\u0301, \u202e")\n',
-  "quotes and signs": "#?&=%+/\\'\"`${x}</script>\n\t\n",
+  "quotes and signs": "#?&=%+/\\'\"`\u0024{x}</script>\n\t\n",
   "one of a megabyte": "x = 0  # one\n".repeat(MOST_PROGRAM_BYTES / 13),
 };
 

@@ -79,7 +79,9 @@ export function headTags({ path, title, description, article }) {
  * @param {string} path of the page
  */
 export function withFrame(html, path) {
-  return html.replace("<!-- header -->", headerHtml(path)).replace("<!-- footer -->", FOOTER);
+  return html
+    .replace("<!-- header -->", headerHtml(path))
+    .replace("<!-- footer -->", footerHtml(path));
 }
 
 /** @param {string} path */
@@ -98,13 +100,16 @@ function headerHtml(path) {
     </header>`;
 }
 
-const FOOTER = `<footer class="site-footer">
+/** @param {string} path */
+function footerHtml(path) {
+  return `<footer class="site-footer">
       <p>
         Your programs and your progress are kept on this device only. Free to use and to change under
-        the MIT licence.
+        the <a href="${toRoot(path)}licences.txt">MIT licence</a>.
       </p>
       <div class="offline"></div>
     </footer>`;
+}
 
 /**
  * The map of the site for search engines, or null where the site's address is not known.
