@@ -47,10 +47,8 @@ test("native and browser traces are equal", async ({ app, page }) => {
     await test.step(`${one.file.slice(ROOT.length)} on ${one.world}`, async () => {
       const browser = await page.locator("bugbot-lab").evaluate(
         async (lab: HTMLElement & Lab, { world, seed, program }) => {
-          Object.assign(lab, { world, seed });
-          // Each world has a program of its own, which comes with it.
-          await lab.updateComplete;
-          lab.program = program;
+          // Each world has a program of its own, which this one takes the place of.
+          Object.assign(lab, { world, seed, program });
           await lab.run();
           return lab.traceText();
         },
@@ -65,7 +63,6 @@ interface Lab {
   world: string;
   seed: number;
   program: string;
-  updateComplete: Promise<unknown>;
   run(): Promise<unknown>;
   traceText(): string | null;
 }

@@ -62,8 +62,9 @@ export class BugbotLab extends LitElement {
   readonly #experiment: Experiment;
   #program: LabProgram | null = null;
   #files: LabFiles | null = null;
-  /** Set before there is an editor to hold it. */
+  /** Set before there is an editor to hold it, or with a world that is not on show yet. */
   #programToBe: string | null = null;
+  #worldOnShow: string | null = null;
   #note: Note | null = null;
   readonly #onRuntime = (): void => this.#runs.runtimeChanged();
   readonly #onLeave = (): void => this.#program?.flush();
@@ -133,12 +134,17 @@ export class BugbotLab extends LitElement {
 
   /** The text in the editor. Setting it is one step that undo takes back. */
   get program(): string {
-    return this.#program?.text ?? this.#programToBe ?? this.#place.starter;
+    return this.#programToBe ?? this.#program?.text ?? this.#place.starter;
   }
 
   set program(text: string) {
-    if (this.#program) this.#program.replace(text);
-    else this.#programToBe = text;
+    this.#programToBe = text;
+    if (this.#worldOnShow === this.world) this.#takeProgram();
+  }
+
+  #takeProgram(): void {
+    if (this.#programToBe !== null) this.#program?.replace(this.#programToBe);
+    this.#programToBe = null;
   }
 
   /** Runs the program and resolves to the outcome, however the run ends. */
@@ -280,7 +286,7 @@ export class BugbotLab extends LitElement {
     });
     this.#files.acceptDrops(this);
     this.#open();
-    if (this.#programToBe !== null) this.#program.replace(this.#programToBe);
+    this.#takeProgram();
   }
 
   override updated(changed: PropertyValues<this>): void {
@@ -288,7 +294,8 @@ export class BugbotLab extends LitElement {
     if (before === undefined || !this.#program) return;
     const text = this.#program.text;
     this.#open();
-    this.#offer(before, text);
+    if (this.#programToBe === null) this.#offer(before, text);
+    else this.#takeProgram();
   }
 
   get #request(): RunRequest {
@@ -304,6 +311,7 @@ export class BugbotLab extends LitElement {
   /** Shows this world, empty, and the program that belongs to it here. */
   #open(): void {
     const page = location.pathname.replace(/index\.html$/, "");
+    this.#worldOnShow = this.world;
     this.#runs.clear(emptyTrace(this.#place.world));
     const opened = this.#program?.open(`${page}#${this.id}:${this.world}`, this.#place.starter);
     this.#files?.tellOpened(opened);

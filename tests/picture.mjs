@@ -1,0 +1,37 @@
+/** npm run picture: takes the README's picture of the lab, site/lab.png, from the built site. */
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { build } from "../site/build/build.mjs";
+import { ROOT } from "../site/build/files.mjs";
+
+await build();
+const { chromium } = await import("@playwright/test");
+const { BROWSER_ARGS, findBrowser } = await import("./browser.mjs");
+const { ensureBrowser } = await import("./setup.mjs");
+const { serve } = await import("./bench/server.mjs");
+ensureBrowser();
+
+const DEMO = join(ROOT, "lessons/occupancy-grid-mapping/programs/demo-3-on-the-move.py");
+/** The moment that is shown, in simulated seconds: most of the map is there. */
+const MOMENT_S = "34";
+
+const server = await serve();
+const executablePath = findBrowser();
+const browser = await chromium.launch({
+  args: BROWSER_ARGS,
+  ...(executablePath ? { executablePath } : {}),
+});
+const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+await page.goto(`${server.url}/site/lab/?world=post-and-shelf`);
+await page.getByRole("combobox", { name: "Speed" }).selectOption("to the end");
+await page.locator("bugbot-lab").evaluate(
+  async (lab, program) => {
+    await Object.assign(/** @type {any} */ (lab), { program }).run();
+  },
+  readFileSync(DEMO, "utf8"),
+);
+await page.getByRole("slider", { name: "Time" }).fill(MOMENT_S);
+await page.screenshot({ path: join(ROOT, "site/lab.png") });
+await browser.close();
+server.close();
+console.log("site/lab.png");
