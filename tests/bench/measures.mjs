@@ -273,7 +273,8 @@ async function moveSlider() {
     // The next frame begins when this one has been painted.
     requestAnimationFrame(() =>
       requestAnimationFrame((now) => {
-        shown.push(now - (moved.get(value) ?? Number.NaN));
+        const since = moved.get(value);
+        if (since !== undefined) shown.push(now - since);
         onShown(value);
       }),
     );

@@ -6,7 +6,9 @@ import { CELL_OF, openTinyLesson } from "./tiny-lesson.ts";
 
 test.slow();
 
-test("saved as a file, cleared, brought back, and opened again", async ({ page }) => {
+test("saved as a file, cleared, brought back, and opened again", { tag: "@once" }, async ({
+  page,
+}) => {
   await openTinyLesson(page);
   const task = new Task(page, "The cell of a point");
   const tools = page.getByRole("group", { name: "Your progress" });

@@ -15,10 +15,9 @@ async function linkTo(app: App): Promise<string> {
 
 const panel = (page: Page) => page.getByRole("dialog", { name: "Somebody shared a program" });
 
-test("a link opened elsewhere asks first, opens if told to, and runs nothing", async ({
-  app,
-  browser,
-}) => {
+test("a link opened elsewhere asks first, opens if told to, and runs nothing", {
+  tag: "@once",
+}, async ({ app, browser }) => {
   await app.openLab("world=doorway&seed=7");
   await app.write(SHARED);
   const link = await linkTo(app);
