@@ -11,9 +11,9 @@ const { ensureBrowser } = await import("./setup.mjs");
 const { serve } = await import("./bench/server.mjs");
 ensureBrowser();
 
-const DEMO = join(ROOT, "lessons/occupancy-grid-mapping/programs/demo-3-on-the-move.py");
+const DEMO = join(ROOT, "lessons/occupancy-grid-mapping/programs/demo-4-frontiers.py");
 /** The moment that is shown, in simulated seconds: most of the map is there. */
-const MOMENT_S = "34";
+const MOMENT_S = "30";
 
 const server = await serve();
 const executablePath = findBrowser();
@@ -21,8 +21,8 @@ const browser = await chromium.launch({
   args: BROWSER_ARGS,
   ...(executablePath ? { executablePath } : {}),
 });
-const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-await page.goto(`${server.url}/site/lab/?world=post-and-shelf`);
+const page = await browser.newPage({ viewport: { width: 1280, height: 940 } });
+await page.goto(`${server.url}/site/lab/?world=doorway`);
 await page.getByRole("combobox", { name: "Speed" }).selectOption("to the end");
 await page.locator("bugbot-lab").evaluate(
   async (lab, program) => {
@@ -31,6 +31,9 @@ await page.locator("bugbot-lab").evaluate(
   readFileSync(DEMO, "utf8"),
 );
 await page.getByRole("slider", { name: "Time" }).fill(MOMENT_S);
+// Without the ring round what was touched last.
+await page.getByRole("slider", { name: "Time" }).blur();
+await page.evaluate(() => scrollTo(0, 0));
 await page.screenshot({ path: join(ROOT, "site/lab.png") });
 await browser.close();
 server.close();

@@ -110,6 +110,7 @@ async function inEngine(engine) {
   console.log(`\n${report.version}`);
   try {
     const tab = new Tab(driver, site.url);
+    await tab.keepNothing();
     for (const story of stories) {
       tab.leaveFor(site.url);
       const told = await tell(story, tab, join(ROOT, "test-results", `engines-${name}.png`));

@@ -57,6 +57,16 @@ export class Tab {
   }
 
   /**
+   * As a reader who does not want the site kept on the device, at this address: a story that is left
+   * would break off the keeping, and what the engine says of that would come in the next one.
+   */
+  async keepNothing() {
+    await this.open("");
+    await this.#driver.evaluate('localStorage.setItem("bugbot:offline", "no")');
+    await this.leave();
+  }
+
+  /**
    * Goes on at another address of the site.
    * @param {string} home
    */
