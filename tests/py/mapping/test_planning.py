@@ -1,6 +1,6 @@
 """Room, reach, ways and choices on maps drawn as text."""
 
-from math import inf, isclose, sqrt
+from math import dist, hypot, inf, isclose, sqrt
 
 import pytest
 from hypothesis import given
@@ -52,6 +52,36 @@ def test_room_keeps_clear_of_walls_of_the_unknown_and_of_the_mats_edge():
     assert 6 * 8 + 2 not in room, "beside the unknown"
     assert 2 * 8 + 3 in room
     assert 6 * 8 + 4 in room
+
+
+@given(
+    st.integers(min_value=2, max_value=9),
+    st.floats(min_value=0, max_value=60),
+    st.randoms(use_true_random=False),
+)
+def test_room_is_what_a_look_at_every_pair_of_cells_says(cells, spare_cm, chance):
+    grid = Grid(200 / cells)
+    states = [
+        chance.choice([State.FREE, State.FREE, State.FREE, State.UNKNOWN]) for _ in range(cells**2)
+    ]
+    around = range(-cells, 2 * cells)  # what follows beyond the edge is not free
+    blocked = [
+        (column, row)
+        for column in around
+        for row in around
+        if not (0 <= column < cells and 0 <= row < cells)
+        or states[row * cells + column] is not State.FREE
+    ]
+    wanted = {
+        row * cells + column
+        for column in range(cells)
+        for row in range(cells)
+        if all(
+            hypot(c - column, r - row) * grid.cell_cm >= spare_cm + grid.cell_cm / 2
+            for c, r in blocked
+        )
+    }
+    assert room_cells(grid, states, spare_cm) == wanted
 
 
 def test_room_wants_a_distance():
@@ -144,3 +174,20 @@ def test_the_gap_between_a_line_and_walls():
     assert gap_to_walls([], 5, (0, 0), (10, 0)) == inf
     assert gap_to_walls([(5, 10), (40, 5)], 5, (0, 0), (10, 0)) == 7.5
     assert gap_to_walls([(13, 4)], 5, (0, 0), (10, 0)) == 2.5, "beyond the end: from the end"
+
+
+@given(*[st.tuples(*[st.floats(min_value=0, max_value=200)] * 2)] * 3)
+def test_the_gap_to_a_line_is_the_least_of_many_points_of_it(wall, here, goal):
+    steps = 400
+    points = (
+        (here[0] + (goal[0] - here[0]) * i / steps, here[1] + (goal[1] - here[1]) * i / steps)
+        for i in range(steps + 1)
+    )
+    least = min(dist(wall, point) for point in points)
+    gap = gap_to_walls([wall], 10, here, goal)
+    assert gap <= least - 5 + 1e-9
+    assert gap >= least - 5 - dist(here, goal) / steps
+
+
+def test_the_gap_to_a_line_of_no_length_is_the_distance_to_its_point():
+    assert gap_to_walls([(30, 40)], 10, (0, 0), (0, 0)) == 45
