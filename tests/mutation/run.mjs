@@ -39,7 +39,7 @@ const TARGETS = {
 };
 
 /** How mutmut ends what it says of a mutant that is still alive. */
-const ALIVE = /: (survived|no tests|timeout|suspicious)$/;
+const ALIVE = /: (survived|no tests|suspicious)$/;
 
 const names = process.argv.slice(2);
 for (const name of names.length > 0 ? names : Object.keys(TARGETS)) {
