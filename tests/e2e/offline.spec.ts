@@ -71,6 +71,8 @@ test("a new version waits until it is wanted, and no page loses what it has @onc
   await expect(panel.getByText("Ready: this site works on this device")).toBeVisible();
   await expect(panel).toContainText("NumPy (2.9 MB) comes along when a program first imports it");
   await page.keyboard.press("Escape");
+  // The focus goes back to the button with it, and not into what is being written.
+  await expect(panel).toBeHidden();
   await app.write("print('mine')\n");
 
   const lab = readFileSync(join(site.folder, "lab/index.html"), "utf8");
