@@ -44,9 +44,10 @@ def missing_modules(program: str) -> list[str]:
 
 def _plainly_has_all(program: str) -> bool:
     """Whether one sees without parsing, which takes some ms, that all it imports is loaded."""
-    if "\\\n" in program:  # an import may go on in the next line
+    lines = program.splitlines()
+    if any(line.endswith("\\") for line in lines):  # an import may go on in the next line
         return False
-    found = [_PLAIN_IMPORT.fullmatch(line) for line in program.splitlines() if "import" in line]
+    found = [_PLAIN_IMPORT.fullmatch(line) for line in lines if "import" in line]
     return all(one is not None and (one[1] or one[2]) in sys.modules for one in found)
 
 

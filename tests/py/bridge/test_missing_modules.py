@@ -18,6 +18,7 @@ from bridge.imports import missing_modules
         ("x = 1; import nothing_1\n", ["nothing_1"]),
         ("if True: import nothing_1\n", ["nothing_1"]),
         ("from \\\nnothing_1 \\\nimport math\n", ["nothing_1"]),
+        ("from \\\r\nnothing_1 \\\r\nimport math\r\n", ["nothing_1"]),
         (
             "def f():\n    try:\n        import nothing_1\n    except ImportError:\n        pass\n",
             ["nothing_1"],
