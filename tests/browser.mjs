@@ -31,3 +31,9 @@ export function findBrowser() {
   const candidates = [process.env.CHROMIUM, ...onPath, ...PLACES, chromium.executablePath()];
   return candidates.find((path) => path && existsSync(path));
 }
+
+/** How Chromium is launched, wherever it was found. */
+export function launchOptions() {
+  const executablePath = findBrowser();
+  return { args: BROWSER_ARGS, ...(executablePath ? { executablePath } : {}) };
+}

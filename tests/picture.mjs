@@ -6,7 +6,7 @@ import { ROOT } from "../site/build/files.mjs";
 
 await build();
 const { chromium } = await import("@playwright/test");
-const { BROWSER_ARGS, findBrowser } = await import("./browser.mjs");
+const { launchOptions } = await import("./browser.mjs");
 const { ensureBrowser } = await import("./setup.mjs");
 const { serve } = await import("./bench/server.mjs");
 ensureBrowser();
@@ -16,11 +16,7 @@ const DEMO = join(ROOT, "lessons/occupancy-grid-mapping/programs/demo-4-frontier
 const MOMENT_S = "30";
 
 const server = await serve();
-const executablePath = findBrowser();
-const browser = await chromium.launch({
-  args: BROWSER_ARGS,
-  ...(executablePath ? { executablePath } : {}),
-});
+const browser = await chromium.launch(launchOptions());
 const page = await browser.newPage({ viewport: { width: 1280, height: 940 } });
 await page.goto(`${server.url}/site/lab/?world=doorway`);
 await page.getByRole("combobox", { name: "Speed" }).selectOption("to the end");

@@ -6,12 +6,11 @@
  *     npx playwright test -c tests/playwright.config.ts --project unit
  */
 import { defineConfig } from "@playwright/test";
-import { BROWSER_ARGS, findBrowser } from "./browser.mjs";
+import { launchOptions as findLaunchOptions } from "./browser.mjs";
 
 const PORT = 4174;
 const FOLDER = "/some/school/";
 const SITE = process.env.SITE;
-const executablePath = findBrowser();
 
 const browser = {
   testDir: "e2e",
@@ -19,7 +18,7 @@ const browser = {
   timeout: 60_000,
   expect: { timeout: 15_000 },
 };
-const launchOptions = { args: BROWSER_ARGS, ...(executablePath ? { executablePath } : {}) };
+const launchOptions = findLaunchOptions();
 
 export default defineConfig({
   forbidOnly: Boolean(process.env.CI),

@@ -6,7 +6,13 @@
  */
 import { join } from "node:path";
 import { loadPyodide } from "pyodide";
-import { memoryOf, packSnapshot, Snapshot } from "../src/worker/snapshot-pages.mjs";
+import {
+  growTo,
+  memoryOf,
+  packSnapshot,
+  Snapshot,
+  startOf,
+} from "../src/worker/snapshot-pages.mjs";
 import { ROOT } from "./files.mjs";
 
 /**
@@ -24,9 +30,6 @@ import { ROOT } from "./files.mjs";
  */
 
 const SITE_PACKAGES = "/lib/python3.14/site-packages";
-
-/** WebAssembly's memory grows by so much. */
-const GROWTH_BYTES = 65_536;
 
 /** Standard modules that programs on the site use, so that no run waits for the library archive. */
 const STANDARD_MODULES = [
@@ -83,11 +86,7 @@ async function memoryBeforeRestoring(snapshot) {
   let before = null;
   const given = snapshot.slice();
   /** @param {WebAssembly.Instance} instance */
-  const begin = (instance) => {
-    const memory = memoryOf(instance);
-    const more = snapshot.length - memory.buffer.byteLength;
-    if (more > 0) memory.grow(Math.ceil(more / GROWTH_BYTES));
-  };
+  const begin = (instance) => growTo(memoryOf(instance), snapshot.length);
   await load(given, begin, (memory, take) => {
     before = memory.slice();
     return take();
@@ -102,7 +101,7 @@ async function memoryBeforeRestoring(snapshot) {
  * @param {Uint8Array} snapshot as Pyodide makes it
  */
 async function prove(file, snapshot) {
-  const wanted = snapshot.subarray(new Uint32Array(snapshot.buffer, 0, 2)[1]);
+  const wanted = snapshot.subarray(startOf(snapshot));
   let parting = Number.NaN;
   await startFrom(file, (memory, take) => {
     const nothing = take();

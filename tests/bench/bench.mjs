@@ -13,7 +13,7 @@ import { ROOT } from "../../site/build/files.mjs";
 
 await build();
 const { chromium } = await import("@playwright/test");
-const { BROWSER_ARGS, findBrowser } = await import("../browser.mjs");
+const { launchOptions } = await import("../browser.mjs");
 const { ensureBrowser, ensureVenv } = await import("../setup.mjs");
 const { serve } = await import("./server.mjs");
 const measures = await import("./measures.mjs");
@@ -21,9 +21,7 @@ ensureVenv();
 ensureBrowser();
 
 const server = await serve();
-const executablePath = findBrowser();
-const launch = () =>
-  chromium.launch({ args: BROWSER_ARGS, ...(executablePath ? { executablePath } : {}) });
+const launch = () => chromium.launch(launchOptions());
 
 /** @type {import("./measures.mjs").Row[]} */
 const rows = [];

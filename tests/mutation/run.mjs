@@ -83,7 +83,7 @@ pythonpath = [".", "tests"]
     cwd: project,
     encoding: "utf8",
   });
-  const all = stdout.split("\n").filter((line) => / __mutmut_\d+: |__mutmut_\d+: /.test(line));
+  const all = stdout.split("\n").filter((line) => /__mutmut_\d+: /.test(line));
   const alive = all.filter((line) => ALIVE.test(line));
   const report = join(project, "alive.txt");
   writeFileSync(report, `${alive.map((line) => line.trim()).join("\n")}\n`);

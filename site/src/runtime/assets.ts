@@ -96,17 +96,10 @@ export class Assets {
   }
 }
 
-/** In one buffer, which is copied for a worker in one go. */
 function encoded(texts: Record<string, string>): Record<string, Uint8Array> {
   const encoder = new TextEncoder();
-  const whole = encoder.encode(Object.values(texts).join(""));
-  let at = 0;
   return Object.fromEntries(
-    Object.entries(texts).map(([path, text]) => {
-      const { length } = encoder.encode(text);
-      at += length;
-      return [path, whole.subarray(at - length, at)];
-    }),
+    Object.entries(texts).map(([path, text]) => [path, encoder.encode(text)]),
   );
 }
 

@@ -23,8 +23,7 @@ const GROWTH_BYTES = 65_536;
  * @returns {Uint8Array<ArrayBuffer>}
  */
 export function packSnapshot(snapshot, fresh, starting) {
-  // Pyodide's second word says where the memory begins, behind its notes.
-  const start = new Uint32Array(snapshot.buffer, snapshot.byteOffset, 2)[1] ?? 0;
+  const start = startOf(snapshot);
   const notes = padded(snapshot.subarray(0, start));
   const memory = padded(snapshot.subarray(start), PAGE_BYTES);
   /** @type {number[]} */
@@ -55,6 +54,23 @@ export function packSnapshot(snapshot, fresh, starting) {
     at += PAGE_BYTES;
   }
   return file;
+}
+
+/**
+ * Where the memory begins in a snapshot as Pyodide makes it: its second word, behind its notes.
+ * @param {Uint8Array} snapshot
+ */
+export function startOf(snapshot) {
+  return new Uint32Array(snapshot.buffer, snapshot.byteOffset, 2)[1] ?? 0;
+}
+
+/**
+ * @param {WebAssembly.Memory} memory has at least so many bytes afterwards
+ * @param {number} bytes
+ */
+export function growTo(memory, bytes) {
+  const more = bytes - memory.buffer.byteLength;
+  if (more > 0) memory.grow(Math.ceil(more / GROWTH_BYTES));
 }
 
 /** A snapshot from its file, to start one interpreter from. */
@@ -90,8 +106,7 @@ export class Snapshot {
   begin(instance) {
     this.#instance = instance;
     const memory = memoryOf(instance);
-    const more = this.#memoryBytes - memory.buffer.byteLength;
-    if (more > 0) memory.grow(Math.ceil(more / GROWTH_BYTES));
+    growTo(memory, this.#memoryBytes);
     const fresh = new Uint32Array(memory.buffer);
     const { buffer, byteOffset } = this.#data;
     const data = new Uint32Array(buffer, byteOffset, this.#differences * PAGE_WORDS);
