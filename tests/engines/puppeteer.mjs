@@ -31,11 +31,15 @@ export async function openWithPuppeteer(name, executablePath) {
   page.setDefaultTimeout(PATIENCE_MS);
   /** @type {string[]} */
   const complaints = [];
+  /** @param {string} text */
+  const complain = (text) => {
+    if (name !== "firefox" || !text.includes(BROKEN_OFF)) complaints.push(text);
+  };
   page.on("console", (message) => {
-    const brokenOff = name === "firefox" && message.text().includes(BROKEN_OFF);
-    if (message.type() === "error" && !brokenOff) complaints.push(message.text());
+    if (message.type() === "error") complain(message.text());
   });
-  page.on("pageerror", (error) => complaints.push(String(error)));
+  // Firefox tells of the same download now by the one way and now by the other.
+  page.on("pageerror", (error) => complain(String(error)));
 
   return {
     version: (await browser.version()).replace("/", " "),
