@@ -1,40 +1,45 @@
 /** What the tests need beyond the site's own packages: a Python environment and a browser. */
 import { spawnSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, relative } from "node:path";
 import { messageOf, ROOT, sha256, write } from "../site/build/files.mjs";
 import { fail, run } from "../site/build/install.mjs";
 import { findPython } from "../site/build/tools.mjs";
 import { findBrowser, SHELL } from "./browser.mjs";
 
 const VENV = join(ROOT, ".venv");
-const BIN = join(VENV, process.platform === "win32" ? "Scripts" : "bin");
 
 /**
  * A program of the tests' Python environment.
  * @param {string} name
+ * @param {string} [venv] another environment than the tests'
  */
-export function venvTool(name) {
-  return join(BIN, name);
+export function venvTool(name, venv = VENV) {
+  return join(venv, process.platform === "win32" ? "Scripts" : "bin", name);
 }
 
-/** Make .venv hold exactly the packages of tests/requirements.txt. */
-export function ensureVenv() {
+/**
+ * Make an environment hold exactly the packages of tests/requirements.txt, and a few more.
+ * @param {string} [venv]
+ * @param {string[]} [more] requirements, as pip takes them
+ */
+export function ensureVenv(venv = VENV, more = []) {
   const requirements = join(ROOT, "tests/requirements.txt");
-  const wanted = sha256(readFileSync(requirements));
-  const stamp = join(VENV, "installed");
+  const wanted = sha256([readFileSync(requirements, "utf8"), ...more].join("\n"));
+  const stamp = join(venv, "installed");
   if (existsSync(stamp) && readFileSync(stamp, "utf8") === wanted) return;
-  console.log("setting up Python for the tests (.venv)");
-  if (!existsSync(venvTool("python")) && !existsSync(venvTool("python.exe"))) {
+  console.log(`setting up Python for the tests (${relative(ROOT, venv)})`);
+  const python = venvTool("python", venv);
+  if (!existsSync(python) && !existsSync(`${python}.exe`)) {
     try {
-      run(findPython(), ["-m", "venv", VENV]);
+      run(findPython(), ["-m", "venv", venv]);
     } catch (error) {
       fail(messageOf(error));
     }
   }
-  run(venvTool("python"), [
+  run(python, [
     ...["-m", "pip", "install", "--quiet", "--disable-pip-version-check"],
-    ...["-r", requirements],
+    ...["-r", requirements, ...more],
   ]);
   write(stamp, wanted);
 }

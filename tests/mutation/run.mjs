@@ -2,18 +2,20 @@
  * npm run mutate [-- TARGET…]: changes the code in thousands of small ways, one at a time, and looks
  * whether a test notices. What no test notices is either untested or does not matter: the list is
  * there to be read. mutmut does the work, in a copy under .cache/mutation; it goes on where it was
- * stopped. Takes the better part of an hour: nothing for `npm test`.
+ * stopped, and tries anew what no test noticed. Takes the better part of an hour: nothing for `npm test`.
  */
 import { spawnSync } from "node:child_process";
 import { cpSync, existsSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 import { join } from "node:path";
 import { CACHE, ROOT } from "../../site/build/files.mjs";
-import { ensureInstalled, fail, run } from "../../site/build/install.mjs";
-import { findPython } from "../../site/build/tools.mjs";
+import { ensureInstalled, fail } from "../../site/build/install.mjs";
 
 ensureInstalled();
+const { ensureVenv, venvTool } = await import("../setup.mjs");
 
+/** An environment of its own: mutmut brings packages that nothing else here wants. */
+const VENV = join(CACHE, "mutation/venv");
 const MUTMUT = "mutmut==3.8.1";
 const PACKAGES = ["bugbot", "mapping", "grader", "bridge", "sketch"];
 
@@ -41,6 +43,7 @@ const TARGETS = {
 /** How mutmut ends what it says of a mutant that is still alive. */
 const ALIVE = /: (survived|no tests|suspicious)$/;
 
+ensureVenv(VENV, [MUTMUT]);
 const names = process.argv.slice(2);
 for (const name of names.length > 0 ? names : Object.keys(TARGETS)) {
   const target = TARGETS[name];
@@ -75,35 +78,51 @@ use_git_change_detection = false
 pythonpath = [".", "tests"]
 `,
   );
-  const mutmut = tool();
-  const processes = `${Math.max(1, cpus().length)}`;
+  const mutants = join(project, "mutants");
+  const before = existsSync(mutants) ? results(project).filter(isAlive) : [];
+  // mutmut makes its own copy of the tests but once.
+  if (before.length > 0) copy(join(project, "tests"), join(mutants, "tests"));
   console.log(`\n== ${name}`);
-  spawnSync(mutmut, ["run", "--max-children", processes], { cwd: project, stdio: "inherit" });
-  const { stdout } = spawnSync(mutmut, ["results", "--all", "true"], {
-    cwd: project,
-    encoding: "utf8",
-  });
-  const all = stdout.split("\n").filter((line) => /__mutmut_\d+: /.test(line));
-  const alive = all.filter((line) => ALIVE.test(line));
+  const start = ["run", "--max-children", `${Math.max(1, cpus().length)}`];
+  mutmut(project, start, "inherit");
+  if (before.length > 0) mutmut(project, [...start, ...before.map(nameOf)], "inherit");
+
+  const all = results(project);
+  const alive = all.filter(isAlive);
   const report = join(project, "alive.txt");
-  writeFileSync(report, `${alive.map((line) => line.trim()).join("\n")}\n`);
+  writeFileSync(report, `${alive.join("\n")}\n`);
   const percent = ((100 * (all.length - alive.length)) / Math.max(1, all.length)).toFixed(1);
   console.log(
     `${name}: ${all.length} mutants, ${percent} % noticed, ${alive.length} not: ${report}`,
   );
 }
 
-/** mutmut, in an environment of its own. */
-function tool() {
-  const venv = join(CACHE, "mutation/venv");
-  const bin = join(venv, process.platform === "win32" ? "Scripts" : "bin");
-  if (!existsSync(join(bin, "mutmut"))) {
-    run(findPython(), ["-m", "venv", venv]);
-    const requirements = join(ROOT, "tests/requirements.txt");
-    const quiet = ["--quiet", "--disable-pip-version-check"];
-    run(join(bin, "python"), ["-m", "pip", "install", ...quiet, "-r", requirements, MUTMUT]);
-  }
-  return join(bin, "mutmut");
+/**
+ * What mutmut knows of each mutant: "its.name: survived".
+ * @param {string} project
+ */
+function results(project) {
+  const { stdout } = mutmut(project, ["results", "--all", "true"], "pipe");
+  return stdout.split("\n").flatMap((line) => (/__mutmut_\d+: /.test(line) ? [line.trim()] : []));
+}
+
+/** @param {string} result */
+function isAlive(result) {
+  return ALIVE.test(result);
+}
+
+/** @param {string} result */
+function nameOf(result) {
+  return result.slice(0, result.indexOf(":"));
+}
+
+/**
+ * @param {string} project
+ * @param {string[]} args
+ * @param {"inherit" | "pipe"} stdio
+ */
+function mutmut(project, args, stdio) {
+  return spawnSync(venvTool("mutmut", VENV), args, { cwd: project, encoding: "utf8", stdio });
 }
 
 /**
