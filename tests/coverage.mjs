@@ -1,6 +1,7 @@
 /** npm run coverage: which lines and branches of py/ the Python tests reach, other processes' too. */
+import { rmSync } from "node:fs";
 import { join } from "node:path";
-import { CACHE, ROOT, write } from "../site/build/files.mjs";
+import { CACHE, filesBelow, ROOT, write } from "../site/build/files.mjs";
 import { ensureInstalled, run } from "../site/build/install.mjs";
 
 ensureInstalled();
@@ -38,4 +39,8 @@ const options = { cwd: python };
 run(coverage, ["erase", `--rcfile=${config}`], options);
 run(coverage, ["run", `--rcfile=${config}`, "-m", "pytest"], options);
 run(coverage, ["combine", "--quiet", `--rcfile=${config}`], options);
+// Of processes that were killed while they wrote: empty, and reported again and again.
+for (const name of filesBelow(folder, (path) => path.startsWith("data."))) {
+  rmSync(join(folder, name));
+}
 run(coverage, ["report", `--rcfile=${config}`], options);

@@ -32,8 +32,13 @@ from grader.values import Other
         (exactly, {1}, {1.5}, False),
         (exactly, [1], {1}, False),
         (exactly, Other("a map"), Other("a map"), False),
+        (exactly, 0.0, 1e-10, True),
+        (exactly, 1.0, 1.5, False),
+        (exactly, 1.0, nan, False),
+        (exactly, {"a": 1}, [1], False),
         (near(0.5), 10, 10.4, True),
         (near(0.5), 10, 10.6, False),
+        (near(0.5), 10, 10.5, True),
         (near(0.5), (1, [2.0]), [1.2, (2,)], True),
         (near(0.5), inf, inf, True),
         (near(0.5), 1.0, nan, False),
@@ -49,6 +54,16 @@ from grader.values import Other
         (in_any_order, [1], [Other("a map")], False),
         (in_any_order, [{1, 2}], [{2, 1}], True),
         (in_any_order, 1, 1, True),
+        (in_any_order, [True], [1], False),
+        (in_any_order, [[1, 2]], [(1, 2)], True),
+        (in_any_order, [[1, [2, 3]]], [[1, [3, 2]]], False),
+        (in_any_order, [{1, 2}], [{1, 3}], False),
+        (in_any_order, [{(1, 2)}], [{(2, 1)}], False),
+        (in_any_order, [{"a": 1}], [{"a": 2}], False),
+        (in_any_order, [{"a": [1, 2]}], [{"a": [2, 1]}], False),
+        (in_any_order, [1.25], [1.3], False),
+        (in_any_order, [0.1234567891], [0.1234567893], True),
+        (in_any_order, [Other("a map")], [Other("a map")], False),
     ],
 )
 def test_comparing(compare: Compare, expected: Any, got: Any, right: bool) -> None:
@@ -64,6 +79,12 @@ def test_near_wants_a_number() -> None:
     ("compare", "expected", "got", "words"),
     [
         (exactly, (2, 1), None, ("(2, 1)", "None")),
+        (
+            exactly,
+            [0] * 8,
+            [0] * 7 + [1],
+            ("[0, 0, 0, 0, 0, 0, 0, 0]", "[0, 0, 0, 0, 0, 0, 0, 1]"),
+        ),
         (exactly, [0] * 9, [0] * 8 + [1], ("item 8 (counted from 0) is 0", "it is 1")),
         (exactly, [0] * 9, [0] * 10, ("9 items: [0] * 9", "10 items: [0] * 10")),
         (
@@ -87,3 +108,14 @@ def test_a_difference_in_words(
     compare: Compare, expected: Any, got: Any, words: tuple[str, str]
 ) -> None:
     assert difference(compare, expected, got) == words
+
+
+def test_what_differs_only_as_a_whole_is_shown_as_a_whole() -> None:
+    def sums(expected: Any, got: Any) -> bool:
+        return isinstance(expected, int) or sum(expected) == sum(got)
+
+    words = difference(sums, list(range(9)), list(range(1, 10)))
+    assert words == (
+        "[0, 1, 2, 3, 4, 5, 6, 7, … 1 more]",
+        "[1, 2, 3, 4, 5, 6, 7, 8, … 1 more]",
+    )

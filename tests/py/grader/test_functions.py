@@ -67,6 +67,48 @@ def test_usual_slips_need_no_mention_in_a_check(body: str, likely: str) -> None:
     assert first["likely"].startswith(likely)
 
 
+SAME = """
+from grader import check, function
+
+half = function("half(x)", lambda x: x // 2)
+
+@check("Halves")
+def halves(task):
+    task.call(half, 6, gives=3)
+    task.call(half, 7)
+"""
+
+
+def test_two_answers_or_one_right_answer_are_no_sign_of_answering_all_the_same() -> None:
+    always = "def half(x):\n    return 1\n"
+    assert failed(marked(SAME, always))["likely"] is None
+    one_right = SAME.replace("7)", "7)\n    task.call(half, 6.5)").replace("x // 2", "3")
+    assert failed(marked(one_right, always))["likely"] is None
+    three = SAME.replace("7)", "7)\n    task.call(half, 8)")
+    said = failed(marked(three, always))["likely"]
+    assert said == "it gives the same answer whatever it is asked"
+
+
+@pytest.mark.parametrize(
+    ("body", "likely"),
+    [
+        (
+            "print(3)",
+            "it prints its answer instead of returning it: print() only shows a value, "
+            "return hands it to the caller",
+        ),
+        (
+            "return float(x // 2)",
+            "the numbers are right, but of the wrong kind: where a whole number is wanted, "
+            "2.0 will not do for 2 (// with whole numbers and math.floor() give whole numbers)",
+        ),
+        ("return x // 2 + 0.9", None),
+    ],
+)
+def test_a_usual_slip_says_what_to_do(body: str, likely: str | None) -> None:
+    assert failed(marked(SAME, f"def half(x):\n    {body}\n"))["likely"] == likely
+
+
 def test_an_error_is_told_with_the_learners_line_and_its_cause() -> None:
     first = failed(marked(CELL, "def cell_of(x, y):\n    return sinus(x / 10), 0\n"))
     assert first["expected"] == "cell_of(32, 74) gives (3, 7)"

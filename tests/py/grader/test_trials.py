@@ -136,6 +136,137 @@ def test_what_is_not_met_is_the_checks_failure_with_the_slip(
     assert failed(mark)["likely"] == likely
 
 
+FIGURES = """
+from grader import check
+
+@check("It")
+def it(task):
+    for trial in task.trials("wall-ahead", seeds=(1, 2), seconds=9):
+        trial.known(at_least=0.1, at_most=50).wrong_walls(at_most=10).wrong_floor(at_most=20)
+        trial.took(at_most=3).drove().bumps(at_most=0)
+        trial.figure("cells", lambda run, drawn: drawn.score.free, at_least=1, at_most=1)
+        trial.figure("x", lambda run, drawn: run.pose_at(9)[0], "cm")
+        trial.says_why(after="stops:")
+"""
+
+
+def drawn(free: str = "[(102.5, 52.5)]", occupied: str = "[(102.5, 152.5)]") -> str:
+    """A program that draws these cells of 5 cm and says why it stops."""
+    return (
+        "from bugbot import *\nscan()\n"
+        f'draw("free", {free}, "blue", "squares", 5)\n'
+        f'draw("occupied", {occupied}, "black", "squares", 5)\n'
+        "print('stops: x')\n"
+    )
+
+
+def of_one_run(program: str, check: str = FIGURES) -> dict[str, Any]:
+    return {each["name"]: each for each in marked(check, program)["results"][0]["figures"]}
+
+
+def test_a_figure_has_its_limits_its_unit_and_its_digits() -> None:
+    found = of_one_run(drawn())
+    shape = {
+        name: (each["unit"], each["at_least"], each["at_most"], each["digits"], each["met"])
+        for name, each in found.items()
+    }
+    assert shape == {
+        "known": ("%", 0.1, 50, 1, True),
+        "wrong walls": ("%", None, 10, 1, True),
+        "wrong floor": ("%", None, 20, 1, True),
+        "time": ("s", None, 3, 1, True),
+        "distance": ("cm", None, None, 0, None),
+        "bumps": ("", None, 0, 0, True),
+        "cells": ("", 1, 1, 1, True),
+        "x": ("cm", None, None, 1, None),
+    }
+    values = {name: each["value"] for name, each in found.items()}
+    assert (values["known"], values["wrong walls"], values["wrong floor"]) == (0.125, 0, 0)
+    assert (values["cells"], values["x"]) == (1, pytest.approx(100, abs=1))
+
+
+def test_without_a_map_its_figures_are_there_with_their_limits() -> None:
+    found = of_one_run("from bugbot import *\nprint('stops: x')\n")
+    for name, limits in {
+        "known": ("%", 0.1, 50),
+        "wrong walls": ("%", None, 10),
+        "wrong floor": ("%", None, 20),
+    }.items():
+        each = found[name]
+        assert (each["unit"], each["at_least"], each["at_most"]) == limits
+        assert (each["value"], each["digits"], each["met"]) == (None, 1, False)
+
+
+@pytest.mark.parametrize(
+    ("program", "expected", "got"),
+    [
+        (
+            drawn(free="[]", occupied="[]"),
+            "at least 0.1 % of the mat known",
+            "0.0 % (seed 1)",
+        ),
+        (
+            drawn(occupied="[(102.5, 57.5)]"),
+            "at most 10 % of the occupied cells more than a cell from anything real",
+            "100.0 %: 1 of 1 cells (seed 1)",
+        ),
+        (
+            drawn(free="[(102.5, 152.5)]", occupied="[(107.5, 152.5)]"),
+            "at most 20 % of the free cells inside something solid",
+            "100.0 %: 1 of 1 cells (seed 1)",
+        ),
+        (f"{drawn()}wait(4)", "a run of at most 3 s", "4.0 s (seed 1)"),
+        (
+            drawn(free="[(102.5, 52.5), (102.5, 57.5)]"),
+            "cells: at least 1 and at most 1",
+            "2.0 (seed 1)",
+        ),
+        (
+            drawn().replace("stops:", "it stops"),
+            "a printed line that says why it stops, after 'stops:'",
+            "the last line printed is 'it stops x' (seed 1)",
+        ),
+    ],
+)
+def test_what_is_outside_its_limit_is_told(program: str, expected: str, got: str) -> None:
+    check = failed(marked(FIGURES, program))
+    assert (check["expected"], check["got"]) == (expected, got)
+
+
+def test_bumps_have_a_limit() -> None:
+    backwards = f"{drawn()}backward(100, 60)\n"
+    patient = FIGURES.replace("at_most=3", "at_most=9")
+    assert failed(marked(patient, backwards))["expected"].startswith("the robot to touch")
+    bumps = of_one_run(backwards, patient)["bumps"]
+    assert (bumps["value"], bumps["met"]) == (1, False)
+
+
+@pytest.mark.parametrize(
+    ("said", "why"),
+    [
+        ("stops: a: b", "a: b"),
+        ("stops: it stops: twice", "it stops: twice"),
+        ("stops: no way: ", "no way"),
+        ("stops: XX", "XX"),
+    ],
+)
+def test_why_it_stops_is_what_is_printed_after_the_words(said: str, why: str) -> None:
+    mark = marked(FIGURES, f"{drawn()}print({said!r})\n")
+    assert [each["why"] for each in mark["results"]] == [why, why]
+
+
+def test_a_figure_that_can_not_be_had_fails_its_trial() -> None:
+    asks = FIGURES.replace("run.pose_at(9)[0]", 'run.line("known %").end')
+    mark = marked(asks, drawn())
+    assert failed(mark)["expected"].startswith('a line named "known %"')
+    assert of_one_run(drawn(), asks)["x"]["value"] is None
+
+
+def test_a_trial_alone_needs_no_seed_in_its_failure() -> None:
+    alone = FIGURES.replace("seeds=(1, 2)", "seeds=(1,)")
+    assert failed(marked(alone, f"{drawn()}wait(4)"))["got"] == "4.0 s"
+
+
 def test_a_run_cut_short_keeps_its_figures_and_is_worth_nothing() -> None:
     mark = mark_of(f"{MAP}while True:\n    wait(1)\n")
     result = mark["results"][0]

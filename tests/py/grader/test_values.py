@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+from array import array
 from collections import Counter, OrderedDict, deque, namedtuple
+from collections.abc import Callable
 from enum import IntEnum
 from math import inf, isnan, nan
+from typing import Any
 
 import numpy as np
 import pytest
@@ -73,7 +76,14 @@ def test_a_float_survives_a_language_with_one_kind_of_number() -> None:
 
 @pytest.mark.parametrize(
     ("value", "what"),
-    [(print, "a builtin_function_or_method"), (range(3), "a range"), (object(), "a object")],
+    [
+        (print, "a builtin_function_or_method"),
+        (range(3), "a range"),
+        (object(), "a object"),
+        (array("d", [1.0]), "a array"),
+        (type("X" * 100, (), {})(), f"a {'X' * 60}"),
+        ([0] * 100_000, "a list of more than 50000 parts, or 12 deep"),
+    ],
 )
 def test_what_is_no_plain_value_says_what_it_was(value: object, what: str) -> None:
     other = decoded(encoded(value))
@@ -86,6 +96,59 @@ def test_a_value_without_end_is_cut_off() -> None:
     endless.append(endless)
     for value in (endless, list(range(100_000)), [[0.5] * 40_000, [0.5] * 40_000]):
         assert isinstance(decoded(encoded(value)), Other)
+
+
+def nested(kind: Callable[[list[Any]], Any], deep: int) -> Any:
+    """An empty text in so many boxes."""
+    value: Any = ""
+    for _ in range(deep):
+        value = kind([value])
+    return value
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [list, deque, tuple, frozenset, lambda each: {1: each[0]}],
+    ids=["list", "deque", "tuple", "set", "dict"],
+)
+def test_a_value_may_be_twelve_deep(kind: Callable[[list[Any]], Any]) -> None:
+    assert not isinstance(decoded(encoded(nested(kind, 12))), Other)
+    assert isinstance(decoded(encoded(nested(kind, 13))), Other)
+
+
+def test_a_set_of_a_program_may_be_deep_as_well() -> None:
+    assert encoded({1}) == {"set": [1]}
+    assert isinstance(decoded(encoded({nested(frozenset, 12)})), Other)
+
+
+def test_a_value_may_have_fifty_thousand_parts() -> None:
+    assert encoded(["a"] * 49_999) == ["a"] * 49_999
+    assert isinstance(decoded(encoded(["a"] * 50_000)), Other)
+    assert encoded([0.5] * 49_999) == {"floats": [0.5] * 49_999}
+    assert isinstance(decoded(encoded([0.5] * 50_000)), Other)
+
+
+@pytest.mark.parametrize(
+    ("number", "code"),
+    [
+        (5, 5),
+        (2**53 - 1, 2**53 - 1),
+        (-(2**53) + 1, -(2**53) + 1),
+        (2**53, {"int": "0x20000000000000"}),
+        (-(2**53), {"int": "-0x20000000000000"}),
+    ],
+)
+def test_an_integer_beyond_what_json_holds_is_written_out(number: int, code: object) -> None:
+    assert encoded(number) == code
+
+
+def test_what_is_told_of_another_value_is_short() -> None:
+    assert shown(decoded({"other": "x" * 300})) == "x" * 200
+
+
+def test_a_refusal_names_the_tag() -> None:
+    with pytest.raises(MalformedError, match="no such tag: what"):
+        decoded({"what": 1})
 
 
 @pytest.mark.parametrize(
@@ -119,6 +182,13 @@ def test_what_encoding_never_makes_is_refused(data: object) -> None:
         ({3, 1}, "{1, 3}"),
         (set(), "set()"),
         ({"a": [1]}, "{'a': [1]}"),
+        ({"a": 1, "b": 2}, "{'a': 1, 'b': 2}"),
+        ({1, "a"}, "{'a', 1}"),
+        (["a"] * 8, "['a', 'a', 'a', 'a', 'a', 'a', 'a', 'a']"),
+        (["a"] * 9, "['a', 'a', 'a', 'a', 'a', 'a', 'a', 'a', … 1 more]"),
+        (list(range(24)), "[0, 1, 2, 3, 4, 5, 6, 7, … 16 more]"),
+        ("x" * 58, repr("x" * 58)),
+        (10**59, "1" + "0" * 59),
         ("x" * 100, "'" + "x" * 58 + "…"),
         (10**100, "1" + "0" * 58 + "…"),
         (None, "None"),
