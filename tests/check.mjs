@@ -18,20 +18,26 @@ export async function check() {
     run(venvTool("ruff"), ["format", "--check", ...config, ...folders]);
     run(venvTool("ruff"), ["check", ...config, ...folders]);
   });
-  step("types", () => {
-    run("npx", ["tsc", "-p", "."]);
-    run(venvTool("mypy"), ["bugbot", "mapping", "grader", "bridge", "sketch"], { cwd: python });
-  });
   await sideBySide([
-    { name: "Python tests", command: venvTool("python"), args: ["-m", "pytest"], cwd: python },
+    { name: "types of TypeScript", commands: [["npx", "tsc", "-p", "."]] },
     {
-      name: "unit tests",
-      command: "npx",
-      args: ["playwright", "test", "--config", "tests/playwright.config.ts", "--project=unit"],
+      name: "types of Python",
+      commands: [[venvTool("mypy"), "bugbot", "mapping", "grader", "bridge", "sketch"]],
+      cwd: python,
     },
   ]);
-  step("build", () => run("node", ["site/build/build.mjs"]));
-  step("bytes", () => run("node", ["site/build/budget.mjs"]));
+  const unit = ["--config", "tests/playwright.config.ts", "--project=unit"];
+  await sideBySide([
+    { name: "Python tests", commands: [[venvTool("python"), "-m", "pytest"]], cwd: python },
+    {
+      name: "build, bytes, unit tests",
+      commands: [
+        ["node", "site/build/build.mjs"],
+        ["node", "site/build/budget.mjs"],
+        ["npx", "playwright", "test", ...unit],
+      ],
+    },
+  ]);
 }
 
 /**
@@ -47,37 +53,49 @@ export function step(name, work) {
 }
 
 /**
- * Run a few commands at the same time, where each alone would leave a core idle; what each says is
- * shown when it has ended. Ends this process if one of them fails.
- * @param {{ name: string, command: string, args: string[], cwd?: string }[]} parts
+ * Run a few parts at the same time, where each alone would leave a core idle; the commands of one part
+ * come one after the other. What a part says is shown when it has ended. Ends this process if one of
+ * them fails.
+ * @param {{ name: string, commands: string[][], cwd?: string }[]} parts
  */
 export async function sideBySide(parts) {
   console.log(`\n== ${parts.map(({ name }) => name).join(", side by side with ")}`);
   const start = Date.now();
   const codes = await Promise.all(
-    parts.map(({ name, command, args, cwd = ROOT }) => {
-      const shell = process.platform === "win32";
-      const child = spawn(command, args, { cwd, shell, stdio: ["ignore", "pipe", "pipe"] });
+    parts.map(async ({ name, commands, cwd = ROOT }) => {
       let said = "";
-      for (const stream of [child.stdout, child.stderr]) {
-        stream.setEncoding("utf8").on("data", (text) => {
+      let code = 0;
+      for (const [command = "", ...args] of commands) {
+        if (code !== 0) break;
+        code = await heard(command, args, cwd, (text) => {
           said += text;
         });
       }
-      return new Promise((resolve) => {
-        child.on("error", (error) => {
-          said += error.message;
-        });
-        child.on("close", (code) => {
-          console.log(`${said}\n== ${name}: ${((Date.now() - start) / 1000).toFixed(1)} s`);
-          resolve(code);
-        });
-      });
+      console.log(`${said}\n== ${name}: ${((Date.now() - start) / 1000).toFixed(1)} s`);
+      return code;
     }),
   );
   const failed = parts.filter((_part, index) => codes[index] !== 0);
   for (const { name } of failed) console.error(`${name}: failed`);
   if (failed.length > 0) process.exit(1);
+}
+
+/**
+ * Run a command; what it says goes to `hear`. Gives its exit status.
+ * @param {string} command
+ * @param {string[]} args
+ * @param {string} cwd
+ * @param {(text: string) => void} hear
+ * @returns {Promise<number>}
+ */
+function heard(command, args, cwd, hear) {
+  const shell = process.platform === "win32";
+  const child = spawn(command, args, { cwd, shell, stdio: ["ignore", "pipe", "pipe"] });
+  for (const stream of [child.stdout, child.stderr]) stream.setEncoding("utf8").on("data", hear);
+  return new Promise((resolve) => {
+    child.on("error", (error) => hear(error.message));
+    child.on("close", (code) => resolve(code ?? 1));
+  });
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? "").href) await check();

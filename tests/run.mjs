@@ -1,6 +1,6 @@
 /** npm test: set up what is missing, then every test there is. */
 import { run } from "../site/build/install.mjs";
-import { check, step } from "./check.mjs";
+import { check, sideBySide, step } from "./check.mjs";
 
 const start = Date.now();
 await check();
@@ -15,8 +15,10 @@ step("browser tests", () =>
   run("npx", ["playwright", "test", "--config", "tests/playwright.config.ts", "--project=e2e*"]),
 );
 // A few stories more in the other engines, where they are installed; Chromium has had them all.
-step("other engines", () => {
-  const others = ["--only", "firefox", "--only", "webkit"];
-  run("node", ["tests/engines/run.mjs", "--few", ...others, "--dist", "dist"]);
-});
+await sideBySide(
+  ["firefox", "webkit"].map((engine) => ({
+    name: `a few stories in ${engine}`,
+    commands: [["node", "tests/engines/run.mjs", "--few", "--only", engine, "--dist", "dist"]],
+  })),
+);
 console.log(`\nall tests passed in ${Math.round((Date.now() - start) / 1000)} s`);
