@@ -36,6 +36,7 @@ const TARGETS = {
       "tests/py/grader/test_judge.py",
       "tests/py/grader/test_lines.py",
       "tests/py/grader/test_maps.py",
+      "tests/py/grader/test_marks.py",
       "tests/py/grader/test_scans.py",
       "tests/py/grader/test_runs.py",
       "tests/py/grader/test_trials.py",
