@@ -36,7 +36,6 @@ def step(
     results: list[Any],
     *,
     shift: int = 0,
-    first: int | None = None,
 ) -> dict[str, Any]:
     """Go on with a marking: {"jobs": […]} if more is needed, else {"mark": …}.
 
@@ -46,7 +45,6 @@ def step(
     program       the learner's program
     results       of the jobs done so far, in any order
     shift         added to every seed, for marking the same on other noise
-    first         so many checks and no more; the others are told as not run
 
     Never raises: what goes wrong with the check.py is told in the mark, as our fault.
     """
@@ -66,7 +64,7 @@ def step(
         return {"mark": mark_of(slug, task, entries)}
     desk = Desk(lesson, results, shift)
     try:
-        states = [_begin(each, desk) for each in checks[:first]]
+        states = [_begin(each, desk) for each in checks]
         jobs = desk.wanted()
         if jobs:
             if len(results) > _MOST_ROUNDS * (len(checks) + 1):
@@ -102,7 +100,7 @@ def _judged(checks: list[Check], states: list[_Begun]) -> list[dict[str, Any]]:
     answered = [pair for task, failure in states if failure is None for pair in task.answered()]
     told: set[str] = set()
     entries = []
-    for check, (task, failure) in zip(checks, states, strict=False):
+    for check, (task, failure) in zip(checks, states, strict=True):
         try:
             if failure is not None:
                 raise failure
@@ -117,7 +115,7 @@ def _judged(checks: list[Check], states: list[_Begun]) -> list[dict[str, Any]]:
             entries.append(made if same else failed_entry(check.title, failed, check.hint))
         else:
             entries.append(entry(check.title, PASSED))
-    return entries + [entry(each.title, NOT_RUN) for each in checks[len(states) :]]
+    return entries
 
 
 def _ours(error: Exception, filename: str) -> str:

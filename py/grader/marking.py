@@ -42,15 +42,11 @@ def mark_program(
     perform_job: Perform,
     *,
     shift: int = 0,
-    first: int | None = None,
 ) -> dict[str, Any]:
-    """The mark of a program; `perform_job(job, program)` does each job.
-
-    shift, first  as in `grader.judge.step`
-    """
+    """The mark of a program; `perform_job(job, program)` does each job."""
     results: list[dict[str, Any]] = []
     while True:
-        done = step(check_source, lesson, task, program, results, shift=shift, first=first)
+        done = step(check_source, lesson, task, program, results, shift=shift)
         if "mark" in done:
             mark: dict[str, Any] = done["mark"]
             return mark

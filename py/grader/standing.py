@@ -18,7 +18,6 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import cache
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -150,7 +149,7 @@ def _done(part: _Part) -> _Found:
     faults: list[Fault] = []
     checks = 0
     for shift in part.shifts:
-        mark, worlds = _marked(lesson, task, part, shift)
+        mark, worlds = _marked(lesson, task, part.program, shift)
         faults += _judged(part, task, mark, shift)
         if part.kind == "solution" and shift == 0:
             checks = len(mark["checks"])
@@ -160,41 +159,25 @@ def _done(part: _Part) -> _Found:
 
 
 def _marked(
-    lesson: Lesson, task: TaskFolder, part: _Part, shift: int
+    lesson: Lesson, task: TaskFolder, program: Path, shift: int
 ) -> tuple[dict[str, Any], list[dict[str, Any]]]:
-    """The mark of a program, and the worlds that it was run on.
-
-    Of a wrong attempt only the first check that fails is of interest, and runs of the mat are what
-    takes long: the checks after it are not made. Calls of functions are all made, because the slip
-    that explains them is looked for in all of them.
-    """
-    done: dict[str, dict[str, Any]] = {}
-    kinds: set[str] = set()
+    """The mark of a program, and the worlds that it was run on."""
     worlds = []
 
     def perform(job: dict[str, Any], source: str) -> dict[str, Any]:
-        if job["id"] not in done:
-            kinds.add(job["kind"])
-            if job["kind"] == "run":
-                worlds.append(job["world"])
-            done[job["id"]] = _performer().perform(job, source)
-        return done[job["id"]]
+        if job["kind"] == "run":
+            worlds.append(job["world"])
+        return _performer().perform(job, source)
 
-    def marked(first: int | None) -> dict[str, Any]:
-        check, program = (path.read_text("utf-8") for path in (task.check, part.program))
-        return mark_program(
-            check, lesson.for_judge(), task.name, program, perform, shift=shift, first=first
-        )
-
-    if part.kind == "wrong":
-        for first in count(1):
-            mark = marked(first)
-            all_made = first >= len(mark["checks"])
-            if all_made or mark["ours"] is not None or kinds != {"run"}:
-                break
-            if first_failed(mark) is not None:
-                return mark, worlds
-    return marked(None), worlds
+    mark = mark_program(
+        task.check.read_text("utf-8"),
+        lesson.for_judge(),
+        task.name,
+        program.read_text("utf-8"),
+        perform,
+        shift=shift,
+    )
+    return mark, worlds
 
 
 def _judged(part: _Part, task: TaskFolder, mark: dict[str, Any], shift: int) -> list[Fault]:

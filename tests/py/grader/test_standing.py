@@ -6,13 +6,11 @@ import json
 import shutil
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from grader import cli, standing
 from grader.lesson import lesson_at
-from grader.marking import Performer
 from grader.standing import check_course
 
 TINY = Path(__file__).parents[2] / "lessons" / "tiny-course"
@@ -188,33 +186,3 @@ def test_a_count_has_bounds(capsys: pytest.CaptureFixture[str]) -> None:
 def test_the_template_of_a_lesson_is_a_sound_lesson() -> None:
     template = Path(__file__).parents[3] / "lessons" / "_template"
     assert lesson_at(template).faults == []
-
-
-ONCE_MORE = """
-
-@check("Up by 20 cm, once more")
-def again(task):
-    task.near(task.run("other-wall", seed=8, seconds=20).path[-1][2], 60, 1, "y at the end")
-"""
-
-
-@pytest.mark.usefixtures("_here")
-def test_of_a_wrong_attempt_no_run_is_made_after_the_first_check_that_fails(
-    folder: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    performed: list[str] = []
-    perform = Performer.perform
-
-    def spied(self: Performer, job: dict[str, Any], program: str) -> dict[str, Any]:
-        performed.append(program)
-        return perform(self, job, program)
-
-    monkeypatch.setattr(Performer, "perform", spied)
-    task = folder / "one-step" / "step-up"
-    with (task / "check.py").open("a", encoding="utf-8") as check:
-        check.write(ONCE_MORE)
-    assert not [fault for report in check_course(folder, seeds=1) for fault in report.faults]
-
-    runs = {path.stem: performed.count(path.read_text("utf-8")) for path in task.rglob("*.py")}
-    wrong = dict.fromkeys(("down", "still", "too-far", "ahead"), 1)
-    assert runs == {"check": 0, "solution": 2, "starter": 2, **wrong}
