@@ -13,8 +13,9 @@ from grader import calling, perform
 
 @pytest.fixture(autouse=True)
 def _impatient(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(calling, "CALL_S", 0.05)
-    monkeypatch.setattr(perform, "PROGRAM_S", 0.1)
+    # Long enough for what does come to an end, on a machine where others compute as well.
+    monkeypatch.setattr(calling, "CALL_S", 0.5)
+    monkeypatch.setattr(perform, "PROGRAM_S", 0.5)
 
 
 RUN = """
