@@ -2,6 +2,9 @@
 
 from grader import check, scoring
 
+MOST_WAY_CM = 1700
+"""So far a run may drive: 1 m more than the programs allow themselves."""
+
 POINTS = scoring(
     "Each run counts the per cent known, less 2 for each per cent of wrong walls and 1 for each "
     "10 s. A run that does not end by itself counts 0. The score is the mean of the six runs.",
@@ -39,7 +42,7 @@ SLIPS = [
     ),
     (
         "it drove to and fro: plan from where it is, and go to what is near first",
-        lambda run: run.distance_cm > 1700,
+        lambda run: run.distance_cm > MOST_WAY_CM,
         1,
     ),
     (
@@ -53,7 +56,7 @@ SLIPS = [
 def within_limits(task, world, known, seconds):
     for trial in task.trials(world, seeds=(1, 2), seconds=300, mistakes=SLIPS, scored=POINTS):
         trial.known(at_least=known).wrong_walls(at_most=3).took(at_most=seconds)
-        trial.drove(at_most=1700).bumps(at_most=2).says_why(after="stops:")
+        trial.drove(at_most=MOST_WAY_CM).bumps(at_most=2).says_why(after="stops:")
 
 
 @check("Rooms and their doorways", hint=0)

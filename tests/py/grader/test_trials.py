@@ -40,12 +40,17 @@ WALL = {
     "obstacles": [{"x": 50, "y": 60, "width": 100, "height": 20, "name": "slab"}],
 }
 
-MAP = (
-    "from bugbot import *\n"
-    "scan()\n"
-    'draw("free", [(102.5, 52.5)], "blue", "squares", 5)\n'
-    'draw("occupied", [], "black", "squares", 5)\n'
-)
+
+def drawing(free: str = "[(102.5, 52.5)]", occupied: str = "[]") -> str:
+    """A program that draws these cells of 5 cm."""
+    return (
+        "from bugbot import *\nscan()\n"
+        f'draw("free", {free}, "blue", "squares", 5)\n'
+        f'draw("occupied", {occupied}, "black", "squares", 5)\n'
+    )
+
+
+MAP = drawing()
 
 
 def mark_of(program: str, check: str = CHECK) -> dict[str, Any]:
@@ -151,13 +156,8 @@ def it(task):
 
 
 def drawn(free: str = "[(102.5, 52.5)]", occupied: str = "[(102.5, 152.5)]") -> str:
-    """A program that draws these cells of 5 cm and says why it stops."""
-    return (
-        "from bugbot import *\nscan()\n"
-        f'draw("free", {free}, "blue", "squares", 5)\n'
-        f'draw("occupied", {occupied}, "black", "squares", 5)\n'
-        "print('stops: x')\n"
-    )
+    """The same, and it says why it stops."""
+    return f"{drawing(free, occupied)}print('stops: x')\n"
 
 
 def of_one_run(program: str, check: str = FIGURES) -> dict[str, Any]:
