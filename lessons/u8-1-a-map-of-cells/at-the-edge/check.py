@@ -1,18 +1,35 @@
-"""index_of(x, y): the place in the list of a point's cell, None beyond the mat."""
+"""index_of(x, y): the index in the list of a point's cell, None beyond the mat."""
 
 from math import floor
 
 from grader import check, function
 
 
-def index_on_mat(x, y, holds=lambda column, row: 0 <= column < 20 and 0 <= row < 20):
-    column, row = floor(x / 10), floor(y / 10)
-    return row * 20 + column if holds(column, row) else None
+def index_on_mat(x, y, holds=None, side=10, across=20, else_=None):
+    """The index where `holds(column, row)`, else `else_`."""
+    column, row = floor(x / side), floor(y / side)
+    on_the_mat = 0 <= column < across and 0 <= row < across if holds is None else holds(column, row)
+    return row * across + column if on_the_mat else else_
 
 
-def column_by_column(x, y):
-    index = index_on_mat(x, y)
-    return None if index is None else index % 20 * 20 + index // 20
+def where_cell(holds):
+    """What a mistake answers that lets other cells through."""
+    return lambda x, y: index_on_mat(x, y, holds)
+
+
+def where_point(holds):
+    """What a mistake answers that lets other points through."""
+    return lambda x, y: index_on_mat(x, y, lambda column, row: holds(x, y))
+
+
+def changed(index):
+    """What a mistake answers that lets the right points through and gives another index."""
+
+    def answer(x, y):
+        right = index_on_mat(x, y)
+        return None if right is None else index(right % 20, right // 20)
+
+    return answer
 
 
 index_of = function(
@@ -20,40 +37,141 @@ index_of = function(
     index_on_mat,
     mistakes=[
         (
-            "column and row look swapped: the list goes row after row, so row * ACROSS + column",
-            column_by_column,
+            "column and row are the wrong way round: the list goes row after row, so it is "
+            "row * ACROSS + column",
+            changed(lambda column, row: column * 20 + row),
             0,
         ),
         (
             "nothing keeps points beyond the mat out: each must give None",
-            lambda x, y: index_on_mat(x, y, lambda column, row: True),
+            where_cell(lambda column, row: True),
             1,
         ),
         (
             "a negative column or row got through: points left of the mat and below it have no "
             "cell",
-            lambda x, y: index_on_mat(x, y, lambda column, row: column < 20 and row < 20),
+            where_cell(lambda column, row: column < 20 and row < 20),
+            1,
+        ),
+        (
+            "a column or row of 20 or more got through: points right of the mat and above it have "
+            "no cell",
+            where_cell(lambda column, row: column >= 0 and row >= 0),
             1,
         ),
         (
             "a column or row of 20 got through: counted from 0, the last column is ACROSS - 1",
-            lambda x, y: index_on_mat(x, y, lambda c, r: 0 <= c <= 20 and 0 <= r <= 20),
+            where_cell(lambda column, row: 0 <= column <= 20 and 0 <= row <= 20),
+            1,
+        ),
+        (
+            "x = 200 and y = 200 are beyond the mat: the comparison there must be <, not <=",
+            where_point(lambda x, y: 0 <= x <= 200 and 0 <= y <= 200),
             1,
         ),
         (
             "column 0 and row 0 are on the mat: 0 must pass the check",
-            lambda x, y: index_on_mat(x, y, lambda c, r: 0 < c < 20 and 0 < r < 20),
+            where_cell(lambda column, row: 0 < column < 20 and 0 < row < 20),
             1,
         ),
         (
-            "only the place in the list was checked: right of the mat that is the first cell of "
-            "the next row; check column and row one by one",
-            lambda x, y: index_on_mat(x, y, lambda c, r: 0 <= r * 20 + c < 400),
+            "x = 0 and y = 0 are on the mat: the comparison there must be <=, not <",
+            where_point(lambda x, y: 0 < x < 200 and 0 < y < 200),
+            1,
+        ),
+        (
+            "the last column and the last row are on the mat: they have the number 19, which is "
+            "below ACROSS",
+            where_cell(lambda column, row: 0 <= column < 19 and 0 <= row < 19),
+            1,
+        ),
+        (
+            "only the index was checked: right of the mat that is the first cell of the next row; "
+            "check column and row one by one",
+            where_cell(lambda column, row: 0 <= row * 20 + column < 400),
+            1,
+        ),
+        (
+            "only the column was checked: above and below the mat there are no cells either",
+            where_cell(lambda column, row: 0 <= column < 20),
+            1,
+        ),
+        (
+            "only the row was checked: left and right of the mat there are no cells either",
+            where_cell(lambda column, row: 0 <= row < 20),
+            1,
+        ),
+        (
+            "one of the two was enough here: a point is on the mat only if its column and its row "
+            "are, so join them with and",
+            where_cell(lambda column, row: 0 <= column < 20 or 0 <= row < 20),
+            1,
+        ),
+        (
+            "ACROSS counts cells, but x and y are in cm: compare column and row with it",
+            where_point(lambda x, y: 0 <= x < 20 and 0 <= y < 20),
             1,
         ),
         (
             "the point was pushed back to the edge: beyond the mat there is no cell, so give None",
             lambda x, y: index_on_mat(min(max(x, 0), 199.9), min(max(y, 0), 199.9)),
+            1,
+        ),
+        (
+            "beyond the mat the answer is None, not -1: -1 is the last place in a Python list",
+            lambda x, y: index_on_mat(x, y, else_=-1),
+            1,
+        ),
+        (
+            "beyond the mat the answer is None, not False",
+            lambda x, y: index_on_mat(x, y, else_=False),
+            1,
+        ),
+        (
+            "index 0 gave None: in Python 0 counts as False, so compare with None or with the "
+            "edges, not with `or` or a plain `if`",
+            lambda x, y: index_on_mat(x, y) or None,
+            1,
+        ),
+        (
+            "a row holds ACROSS cells: multiply the row by ACROSS, not by CELL",
+            changed(lambda column, row: row * 10 + column),
+            0,
+        ),
+        (
+            "one too many: the first cell of the list has index 0",
+            changed(lambda column, row: row * 20 + column + 1),
+            0,
+        ),
+        (
+            "rows were counted from the top: the list begins with the bottom row",
+            changed(lambda column, row: (19 - row) * 20 + column),
+            0,
+        ),
+        (
+            "row and column were only added: skip complete rows of ACROSS cells first",
+            changed(lambda column, row: row + column),
+            0,
+        ),
+    ],
+)
+
+CELLS_OF_25 = function(
+    "index_of(x, y)",
+    lambda x, y: index_on_mat(x, y, side=25, across=8),
+    mistakes=[
+        (
+            "20 is typed in as the number of cells across: use ACROSS, so that it can change",
+            lambda x, y: index_on_mat(
+                x, y, lambda column, row: 0 <= column < 20 and 0 <= row < 20, side=25
+            ),
+            1,
+        ),
+        (
+            "20 is typed in as the number of cells across: use ACROSS, so that it can change",
+            lambda x, y: index_on_mat(
+                x, y, lambda column, row: 0 <= column < 8 and 0 <= row < 8, side=25
+            ),
             1,
         ),
     ],
@@ -70,6 +188,8 @@ def on_the_mat(task):
 def edges(task):
     task.call(index_of, 0, 0, gives=0)
     task.call(index_of, 3, 64, gives=120)
+    task.call(index_of, 0, 45, gives=80)
+    task.call(index_of, 35, 0, gives=3)
     task.call(index_of, 195, 5, gives=19)
     task.call(index_of, 5, 15, gives=20)
     task.call(index_of, 199.9, 199.9, gives=399)
@@ -80,12 +200,15 @@ def far_edges(task):
     task.call(index_of, 207, 44, gives=None)
     task.call(index_of, 60, 204, gives=None)
     task.call(index_of, 200, 100, gives=None)
+    task.call(index_of, 100, 200, gives=None)
+    task.call(index_of, 200, 0, gives=None)
 
 
 @check("Points left of the mat and below it", hint=1)
 def near_edges(task):
     task.call(index_of, -4, 150, gives=None)
     task.call(index_of, 150, -0.1, gives=None)
+    task.call(index_of, -0.1, 0, gives=None)
 
 
 @check("Many points, on the mat and round it", hint=2)
@@ -93,3 +216,13 @@ def many(task):
     for _ in range(40):
         x, y = (round(task.random.uniform(-30, 230), 1) for _ in range(2))
         task.call(index_of, x, y)
+
+
+@check("Cells of 25 cm, 8 across", hint=2)
+def another_size(task):
+    task.set("CELL", 25)
+    task.set("ACROSS", 8)
+    task.call(CELLS_OF_25, 110, 60, gives=20)
+    task.call(CELLS_OF_25, 199.9, 199.9, gives=63)
+    task.call(CELLS_OF_25, 201, 10, gives=None)
+    task.call(CELLS_OF_25, 10, -1, gives=None)

@@ -1,64 +1,140 @@
-"""cell_of(x, y): the cell that holds a point, with cells of 10 cm."""
+"""cell_of(x, y): the cell that holds a point, with cells of several sizes."""
 
 from math import ceil, floor
 
 from grader import check, function
 
-SWAPPED = "column and row look swapped: x decides the column, y decides the row"
+
+def each(change):
+    """What a mistake answers that treats x and y alike."""
+    return lambda x, y: (change(x), change(y))
+
+
+def down(value):
+    return floor(value / 10)
+
+
+CUT = (
+    "int() cuts towards 0, so a point a little left of the mat, or below it, gets 0 where -1 is "
+    "right; math.floor() always rounds down"
+)
+PUSHED = (
+    "a point left of the mat was put into column 0: its column is -1 there, so leave negative "
+    "numbers as they are"
+)
 
 cell_of = function(
     "cell_of(x, y)",
-    lambda x, y: (floor(x / 10), floor(y / 10)),
+    each(down),
     cell_cm=10,
     mistakes=[
-        (SWAPPED, lambda x, y: (floor(y / 10), floor(x / 10)), 0),
+        (
+            "column and row are the wrong way round: x decides the column, y decides the row",
+            lambda x, y: (down(y), down(x)),
+            0,
+        ),
         (
             "rounded to the nearest whole number: a point in the upper half of a cell then gets "
-            "the next one; round down instead",
-            lambda x, y: (round(x / 10), round(y / 10)),
+            "the next cell; round down instead",
+            each(lambda value: round(value / 10)),
             1,
         ),
-        (
-            "int() cuts towards 0, so a little left of the mat looks like column 0; math.floor() "
-            "always goes down",
-            lambda x, y: (int(x / 10), int(y / 10)),
-            1,
-        ),
+        (CUT, each(lambda value: int(value / 10)), 1),
+        (CUT, lambda x, y: (down(x), int(y / 10)), 1),
+        (CUT, lambda x, y: (int(x / 10), down(y)), 1),
         (
             "not rounded down: 3.2 cells along means that the point is in column 3",
-            lambda x, y: (x / 10, y / 10),
+            each(lambda value: value / 10),
             1,
+        ),
+        (
+            "the numbers are right, but // makes a float of a float, 15.0 for example: "
+            "math.floor() makes a whole number, 15",
+            each(lambda value: value // 10),
+            1,
+        ),
+        (
+            "rounded down before dividing: divide by CELL first, then round down",
+            each(lambda value: floor(value) / 10),
+            1,
+        ),
+        ("the row comes from y: here both come from x", lambda x, y: (down(x),) * 2, 0),
+        (
+            "the column comes from x: here both come from y",
+            lambda x, y: (down(y),) * 2,
+            0,
         ),
         (
             "counted from 1: the cells at the left edge are column 0, those at the bottom row 0",
-            lambda x, y: (floor(x / 10) + 1, floor(y / 10) + 1),
+            each(lambda value: down(value) + 1),
+            0,
+        ),
+        (
+            "one too few: the cells at the left edge are column 0, those at the bottom row 0",
+            each(lambda value: down(value) - 1),
+            0,
         ),
         (
             "rounded up: a point anywhere inside a cell belongs to the line below it, so round "
             "down",
-            lambda x, y: (ceil(x / 10), ceil(y / 10)),
+            each(lambda value: ceil(value / 10)),
+            1,
+        ),
+        (
+            "a point exactly on the line between two cells belongs to the right one or the upper "
+            "one: math.floor() does that",
+            each(lambda value: ceil(value / 10) - 1),
+            1,
+        ),
+        (
+            "round() takes the even number where a value lies exactly between two, so points on "
+            "the line between two cells go wrong: use math.floor()",
+            each(lambda value: round(value / 10 - 0.5)),
             1,
         ),
         (
             "multiplied by CELL: ask how many times 10 cm goes into x",
-            lambda x, y: (floor(x * 10), floor(y * 10)),
+            each(lambda value: floor(value * 10)),
+            0,
+        ),
+        (
+            "the remainder was taken: % says how far into its cell the point is, not which cell "
+            "it is",
+            each(lambda value: value % 10),
+            0,
+        ),
+        (PUSHED, each(lambda value: max(0, down(value))), 1),
+        (PUSHED, each(lambda value: min(19, max(0, down(value)))), 1),
+        (
+            "the minus sign was dropped: 3 cm left of the mat is in column -1, not in column 0",
+            each(lambda value: down(abs(value))),
+            1,
+        ),
+        (
+            "100 was taken away: here x and y count from the corner of the mat already",
+            each(lambda value: down(value - 100)),
             0,
         ),
     ],
 )
 
-cell_of_20 = function(
-    "cell_of(x, y)",
-    lambda x, y: (floor(x / 20), floor(y / 20)),
-    cell_cm=20,
-    mistakes=[
-        (
-            "the side of a cell looks written as a number: use CELL, so that it can change",
-            lambda x, y: (floor(x / 10), floor(y / 10)),
-            2,
-        )
-    ],
-)
+
+def with_cells_of(side):
+    return function(
+        "cell_of(x, y)",
+        each(lambda value: floor(value / side)),
+        cell_cm=side,
+        mistakes=[
+            (
+                "10 is typed in as the side of a cell: use CELL, so that it can change",
+                each(down),
+                2,
+            )
+        ],
+    )
+
+
+CELLS_OF_20, CELLS_OF_7 = with_cells_of(20), with_cells_of(7)
 
 
 @check("A point well inside a cell", hint=0)
@@ -72,17 +148,19 @@ def close(task):
     task.call(cell_of, 79.9, 28, gives=(7, 2))
 
 
-@check("The corners of the mat, and a point on the line between cells", hint=1)
+@check("The corners of the mat, and points on the line between cells", hint=1)
 def corners(task):
     task.call(cell_of, 0, 0, gives=(0, 0))
     task.call(cell_of, 199.9, 199.9, gives=(19, 19))
     task.call(cell_of, 60, 160, gives=(6, 16))
+    task.call(cell_of, 50, 130, gives=(5, 13))
 
 
 @check("Points a little left of the mat, and a little below it", hint=1)
 def beyond(task):
     task.call(cell_of, -3, 12, gives=(-1, 1))
     task.call(cell_of, 45, -0.5, gives=(4, -1))
+    task.call(cell_of, -10, -10.5, gives=(-1, -2))
 
 
 @check("Many points", hint=1)
@@ -92,8 +170,16 @@ def many(task):
         task.call(cell_of, x, y)
 
 
-@check("Cells of another size", hint=2)
+@check("Cells of 20 cm", hint=2)
 def another_size(task):
     task.set("CELL", 20)
-    task.call(cell_of_20, 32, 74, gives=(1, 3))
-    task.call(cell_of_20, 151.5, 23, gives=(7, 1))
+    task.call(CELLS_OF_20, 32, 74, gives=(1, 3))
+    task.call(CELLS_OF_20, 151.5, 23, gives=(7, 1))
+
+
+@check("Cells of 7 cm", hint=2)
+def odd_size(task):
+    task.set("CELL", 7)
+    task.call(CELLS_OF_7, 32, 74, gives=(4, 10))
+    task.call(CELLS_OF_7, 6.9, 7, gives=(0, 1))
+    task.call(CELLS_OF_7, -0.1, 195.9, gives=(-1, 27))

@@ -1,64 +1,112 @@
-"""centre_of(column, row): the middle of a cell in cm, with cells of 10 cm."""
+"""centre_of(column, row): the middle of a cell in cm, with cells of several sizes."""
 
 from bugbot.frames import cell_centre
 from grader import check, function, near
 
-centre_of = function(
-    "centre_of(column, row)",
-    lambda column, row: cell_centre(column, row, 10),
-    compare=near(0.001, "cm"),
-    mistakes=[
+
+def each(change):
+    """What a mistake answers that treats column and row alike."""
+    return lambda column, row: (change(column), change(row))
+
+
+def with_cells_of(side, mistakes):
+    return function(
+        "centre_of(column, row)",
+        lambda column, row: cell_centre(column, row, side),
+        compare=near(0.001, "cm"),
+        mistakes=mistakes,
+    )
+
+
+HALF_DROPPED = (
+    "the half centimetre is missing: half of 7 cm is 3.5 cm, and //, int() and round() make a "
+    "whole number of it; divide with /"
+)
+
+centre_of = with_cells_of(
+    10,
+    [
         (
-            "that is the lower left corner of the cell: the middle is half a cell further, both "
-            "ways",
-            lambda column, row: (column * 10, row * 10),
+            "that is the lower left corner of the cell: the middle is half a cell further to the "
+            "right and half a cell further up",
+            each(lambda number: number * 10),
             1,
         ),
         (
-            "column and row look swapped: the column decides x, the row decides y",
+            "column and row are the wrong way round: the column decides x, the row decides y",
             lambda column, row: cell_centre(row, column, 10),
+            0,
+        ),
+        (
+            "y comes from the row: here both come from the column",
+            lambda column, row: cell_centre(column, column, 10),
             0,
         ),
         (
             "half a centimetre was added, not half a cell: add the half before you multiply by "
             "CELL",
-            lambda column, row: (column * 10 + 0.5, row * 10 + 0.5),
+            each(lambda number: number * 10 + 0.5),
             2,
         ),
         (
-            "that is the upper right corner of the cell: a whole cell was added instead of half",
-            lambda column, row: ((column + 1) * 10, (row + 1) * 10),
+            "the number of the cell was not multiplied by CELL, only the half was: put brackets "
+            "round the sum, (column + 0.5) * CELL",
+            each(lambda number: number + 5),
+            2,
+        ),
+        (
+            "the cell's beginning was halved as well: only the last CELL in the sum is to be "
+            "halved, column * CELL + CELL / 2",
+            each(lambda number: (number * 10 + 10) / 2),
+            2,
+        ),
+        (
+            "the half was added to x only: the middle is half a cell further up as well",
+            lambda column, row: (column * 10 + 5, row * 10),
             1,
         ),
         (
-            "counted from 1: column 0 is the first, and its middle is half a cell from the left "
-            "edge",
-            lambda column, row: ((column - 0.5) * 10, (row - 0.5) * 10),
+            "that is the upper right corner of the cell: a complete cell was added, not half of "
+            "one",
+            each(lambda number: (number + 1) * 10),
+            1,
+        ),
+        (
+            "half a cell too low: column 0 begins at x = 0, so its middle is half a cell further",
+            each(lambda number: (number - 0.5) * 10),
             1,
         ),
         (
             "divided by CELL: a cell is 10 cm wide, so its number has to be multiplied",
-            lambda column, row: ((column + 0.5) / 10, (row + 0.5) / 10),
+            each(lambda number: (number + 0.5) / 10),
+            0,
+        ),
+        (
+            "y was counted from the top: rows count from the bottom of the mat, and so does y",
+            lambda column, row: (column * 10 + 5, 195 - row * 10),
             0,
         ),
     ],
 )
 
-centre_of_4 = function(
-    "centre_of(column, row)",
-    lambda column, row: cell_centre(column, row, 4),
-    compare=near(0.001, "cm"),
-    mistakes=[
-        (
-            "the side of a cell looks written as a number: use CELL, so that it can change",
-            lambda column, row: cell_centre(column, row, 10),
-            2,
-        ),
-        (
-            "half of 10 cm looks written as a number: half a cell is CELL / 2",
-            lambda column, row: (column * 4 + 5, row * 4 + 5),
-            2,
-        ),
+TYPED_IN = "10 is typed in as the side of a cell: use CELL, so that it can change"
+HALF_TYPED_IN = "5 is typed in as half a cell: use CELL / 2, so that it can change"
+
+CELLS_OF_7 = with_cells_of(
+    7,
+    [
+        (TYPED_IN, lambda column, row: cell_centre(column, row, 10), 2),
+        (HALF_TYPED_IN, each(lambda number: number * 7 + 5), 2),
+        (HALF_DROPPED, each(lambda number: number * 7 + 3), 1),
+        (HALF_DROPPED, each(lambda number: number * 7 + 4), 1),
+        (HALF_DROPPED, each(lambda number: round((number + 0.5) * 7)), 1),
+    ],
+)
+CELLS_OF_2_5 = with_cells_of(
+    2.5,
+    [
+        (TYPED_IN, lambda column, row: cell_centre(column, row, 10), 2),
+        (HALF_TYPED_IN, each(lambda number: number * 2.5 + 5), 2),
     ],
 )
 
@@ -76,8 +124,16 @@ def further(task):
         task.call(centre_of, task.random.randrange(20), task.random.randrange(20))
 
 
-@check("Cells of another size", hint=2)
-def another_size(task):
-    task.set("CELL", 4)
-    task.call(centre_of_4, 3, 7, gives=(14, 30))
-    task.call(centre_of_4, 49, 12, gives=(198, 50))
+@check("Cells of 7 cm", hint=2)
+def odd_size(task):
+    task.set("CELL", 7)
+    task.call(CELLS_OF_7, 3, 7, gives=(24.5, 52.5))
+    task.call(CELLS_OF_7, 27, 12, gives=(192.5, 87.5))
+    task.call(CELLS_OF_7, 0, 1, gives=(3.5, 10.5))
+
+
+@check("Cells of 2.5 cm", hint=2)
+def small(task):
+    task.set("CELL", 2.5)
+    task.call(CELLS_OF_2_5, 3, 7, gives=(8.75, 18.75))
+    task.call(CELLS_OF_2_5, 79, 0, gives=(198.75, 1.25))

@@ -3,15 +3,16 @@
 from math import ceil, floor
 
 from bugbot.frames import cells_across
-from grader import check, function
+from grader import check, function, near
 
 count_cells = function(
     "count_cells(side)",
     lambda side: cells_across(side) ** 2,
+    compare=near(1e-9),  # 400.0 cells are 400 cells
     mistakes=[
         (
             "rounded down: that leaves a strip of bare mat at the far edges; the last cell may "
-            "hang over",
+            "hang over the edge, so round up",
             lambda side: floor(200 / side) ** 2,
             1,
         ),
@@ -27,7 +28,8 @@ count_cells = function(
             0,
         ),
         (
-            "rounded to the nearest whole number: a small rest needs one more cell too; round up",
+            "rounded to the nearest whole number: a small remainder needs one more cell too, so "
+            "round up",
             lambda side: round(200 / side) ** 2,
             1,
         ),
@@ -38,8 +40,35 @@ count_cells = function(
             1,
         ),
         (
-            "not a whole number: round up how many fit along one edge before you multiply",
+            "one row too few where the cells don't fit exactly: there are as many rows as columns, "
+            "so round up in both directions",
+            lambda side: ceil(200 / side) * floor(200 / side),
+            1,
+        ),
+        (
+            "never rounded: round up how many cells fit along one edge before you multiply",
             lambda side: (200 / side) ** 2,
+            1,
+        ),
+        (
+            "doubled: there are as many rows as columns, so multiply the number along one edge by "
+            "itself",
+            lambda side: 2 * ceil(200 / side),
+            0,
+        ),
+        (
+            "in Python ^ is not a power: write across ** 2 or across * across",
+            lambda side: ceil(200 / side) ^ 2,
+            2,
+        ),
+        (
+            "SIDE was used in place of side: the function must answer for the side it is given",
+            lambda side: 49,
+            1,
+        ),
+        (
+            "the division is upside down: ask how many times the side goes into 200 cm",
+            lambda side: ceil(side / 200) ** 2,
             1,
         ),
     ],
@@ -59,7 +88,7 @@ def one(task):
 
 
 @check("Cells that don't fit exactly", hint=1)
-def with_a_rest(task):
+def with_a_remainder(task):
     task.call(count_cells, 30, gives=49)
     task.call(count_cells, 150, gives=4)
     task.call(count_cells, 7, gives=841)

@@ -1,26 +1,39 @@
-"""cells_passed(x, y, angle, reading) with NumPy: the cells of 5 cm that a beam passed."""
+"""cells_passed(x, y, angle, reading) with NumPy: the cells that a beam passed.
+
+The robot faces 20 degrees meanwhile, so that a heading which is added to the angle shows.
+"""
 
 from math import ceil, degrees, floor
 
 from grader import check, function
 from mapping.beam import end_of_beam
 
-CELL = 5
+CELL, ACROSS = 5, 40
 
 
-def passed(x, y, angle, reading, step=CELL / 2, short=CELL, to_whole=floor, everywhere=False):
-    """The cells at each step nearer than `short` cm before the hit, on the mat or everywhere."""
-    points = [
-        end_of_beam(x, y, angle, i * step) for i in range(max(0, ceil((reading - short) / step)))
-    ]
-    cells = [(to_whole(px / CELL), to_whole(py / CELL)) for px, py in points]
-    return [(c, r) for c, r in cells if everywhere or (0 <= c < 40 and 0 <= r < 40)]
+def passed(x, y, angle, reading, step=None, short=None, first=0, to_whole=floor, keep=None, cell=5):
+    """The cells at each step up to `short` cm before the hit that `keep(column, row)` keeps.
+
+    step, short, keep  half a cell, a cell, and whether it is on the mat, unless they are given
+    """
+    step = cell / 2 if step is None else step
+    count = max(0, ceil((reading - (cell if short is None else short)) / step))
+    points = [end_of_beam(x, y, angle, i * step) for i in range(first, count)]
+    cells = [(to_whole(px / cell), to_whole(py / cell)) for px, py in points]
+    if keep is None:
+        return [(c, r) for c, r in cells if 0 <= c < 200 / cell and 0 <= r < 200 / cell]
+    return [each for each in cells if keep(*each)]
+
+
+def key(cell):
+    """A cell with the kind of its numbers: a float is no index."""
+    return tuple((type(part), part) for part in cell) if isinstance(cell, list | tuple) else cell
 
 
 def same_cells(expected, got):
     """The same cells, in any order; one may well be named more than once."""
     try:
-        return {tuple(cell) for cell in expected} == {tuple(cell) for cell in got}
+        return {key(cell) for cell in expected} == {key(cell) for cell in got}
     except TypeError:
         return False
 
@@ -35,6 +48,20 @@ def beam(random):
             return asked
 
 
+def with_other(**otherwise):
+    """What a mistake answers that walks otherwise."""
+    return lambda *asked: passed(*asked, **otherwise)
+
+
+def along(direction):
+    """What a mistake answers that walks in another direction."""
+    return lambda x, y, angle, reading: passed(x, y, direction(angle), reading)
+
+
+def everything(column, row):
+    return True
+
+
 cells_passed = function(
     "cells_passed(x, y, angle, reading)",
     passed,
@@ -43,63 +70,160 @@ cells_passed = function(
     mistakes=[
         (
             "steps of a whole cell jump over corners: step half a cell, CELL / 2",
-            lambda x, y, angle, reading: passed(x, y, angle, reading, step=CELL),
+            with_other(step=CELL),
+            0,
+        ),
+        (
+            "a step is CELL / 2, which is 2.5 cm: CELL // 2 is only 2",
+            with_other(step=CELL // 2),
             0,
         ),
         (
             "walked too far, right up to the hit: stop one cell short of it, at reading - CELL",
-            lambda x, y, angle, reading: passed(x, y, angle, reading, short=0),
+            with_other(short=0),
             0,
         ),
         (
-            "sine and cosine look swapped: x goes by sine, y by cosine",
-            lambda x, y, angle, reading: passed(x, y, 90 - angle, reading),
+            "the step at 0 cm is missing: the walk begins where the beam begins",
+            with_other(first=1),
+            0,
+        ),
+        (
+            "the beam went straight up: its angle decides the direction",
+            along(lambda angle: 0),
             1,
         ),
         (
-            "degrees look taken for radians: np.radians() makes radians of them",
-            lambda x, y, angle, reading: passed(x, y, degrees(angle), reading),
+            "sine and cosine are the wrong way round: x goes by sine, y by cosine",
+            along(lambda angle: 90 - angle),
+            1,
+        ),
+        (
+            "the beam goes backwards: add to x and to y, don't subtract",
+            along(lambda angle: angle + 180),
+            1,
+        ),
+        (
+            "heading() was added: the angle is the direction on the mat already",
+            along(lambda angle: angle + 20),
+            1,
+        ),
+        (
+            "degrees were taken for radians: np.radians() makes radians of them",
+            along(degrees),
             1,
         ),
         (
             "cells beyond the mat were kept: choose the rows whose column and row are both from 0 "
             "to ACROSS - 1",
-            lambda x, y, angle, reading: passed(x, y, angle, reading, everywhere=True),
+            with_other(keep=everything),
             2,
         ),
         (
-            "astype(int) cuts towards 0, so a little left of the mat looks like column 0; use "
+            "a column or row of 40 got through: counted from 0, the last one is ACROSS - 1",
+            with_other(keep=lambda c, r: 0 <= c <= ACROSS and 0 <= r <= ACROSS),
+            2,
+        ),
+        (
+            "column 0 and row 0 are on the mat: 0 must pass the check",
+            with_other(keep=lambda c, r: 0 < c < ACROSS and 0 < r < ACROSS),
+            2,
+        ),
+        (
+            "a cell was kept if its column or its row is good: both must be, so np.all, not np.any",
+            with_other(keep=lambda c, r: 0 <= c < ACROSS or 0 <= r < ACROSS),
+            2,
+        ),
+        (
+            "a cell was kept if its column is good: the row must be good as well",
+            with_other(keep=lambda c, r: 0 <= c < ACROSS),
+            2,
+        ),
+        (
+            "cells beyond the mat were pushed back to its edge: leave them out instead",
+            lambda *asked: [
+                (min(max(c, 0), ACROSS - 1), min(max(r, 0), ACROSS - 1))
+                for c, r in passed(*asked, keep=everything)
+            ],
+            2,
+        ),
+        (
+            "astype(int) cuts towards 0, so a little left of the mat becomes column 0; use "
             "np.floor() first",
-            lambda x, y, angle, reading: passed(x, y, angle, reading, to_whole=int),
+            with_other(to_whole=int),
             2,
         ),
         (
-            "column and row look swapped: each row of the answer is (column, row)",
-            lambda x, y, angle, reading: [(r, c) for c, r in passed(x, y, angle, reading)],
+            "rounded to the nearest whole number: a point in the upper half of a cell then gets "
+            "the next cell; use np.floor()",
+            with_other(to_whole=round),
+            2,
+        ),
+        (
+            "the numbers are right, but they are floats, which can't be an index: .astype(int) "
+            "makes whole numbers of them",
+            lambda *asked: [(float(c), float(r)) for c, r in passed(*asked)],
+            2,
+        ),
+        (
+            "column and row are the wrong way round: each row of the answer is (column, row)",
+            lambda *asked: [(row, column) for column, row in passed(*asked)],
             1,
         ),
     ],
 )
 
+CELLS_OF_10 = function(
+    "cells_passed(x, y, angle, reading)",
+    with_other(cell=10),
+    compare=same_cells,
+    cell_cm=10,
+    mistakes=[
+        (
+            "2.5 is typed in as the step: use CELL / 2, so that CELL can change",
+            with_other(step=2.5, cell=10),
+            0,
+        ),
+        (
+            "40 is typed in as the number of cells across: use ACROSS, so that it can change",
+            with_other(keep=lambda c, r: 0 <= c < 40 and 0 <= r < 40, cell=10),
+            2,
+        ),
+    ],
+)
+
+
+def ask(task, *asked, **gives):
+    task.call(cells_passed, *asked, **gives, world="wall-askew")
+
 
 @check("A beam straight up the mat", hint=0)
 def up(task):
     gives = [(20, row) for row in range(8, 17) for _ in range(2)][:-1]
-    task.call(cells_passed, 102.5, 42.5, 0, 46.5, gives=gives)
+    ask(task, 102.5, 42.5, 0, 46.5, gives=gives)
 
 
 @check("Slanting beams", hint=1)
 def slanting(task):
     for _ in range(12):
-        task.call(cells_passed, *beam(task.random))
+        ask(task, *beam(task.random))
 
 
 @check("Something very close", hint=0)
 def close(task):
-    task.call(cells_passed, 102.5, 42.5, 0, 4, gives=[])
+    ask(task, 102.5, 42.5, 0, 4, gives=[])
 
 
 @check("A beam that leaves the mat", hint=2)
 def beyond(task):
-    task.call(cells_passed, 172.5, 182.5, 40, 60.7)
-    task.call(cells_passed, 2.5, 52.5, 200, 50.3)
+    ask(task, 172.5, 182.5, 40, 60.7)
+    ask(task, 2.5, 52.5, 200, 50.3)
+    ask(task, 22.5, 7.5, 170, 40.3)
+
+
+@check("Cells of 10 cm, 20 across", hint=2)
+def another_size(task):
+    task.set("CELL", 10, world="wall-askew")
+    task.set("ACROSS", 20, world="wall-askew")
+    task.call(CELLS_OF_10, 105, 45, 29, 83, world="wall-askew")
+    task.call(CELLS_OF_10, 175, 185, 40, 60.7, world="wall-askew")

@@ -1,4 +1,9 @@
-"""beam_says(x, y, angle, reading): free cells, and the cell hit; 170 cm or more is no hit."""
+"""beam_says(x, y, angle, reading): free cells, and the cell hit; FAR or more is no hit.
+
+Every reading is such that it makes no difference whether a last, shorter step is taken.
+"""
+
+from math import ceil
 
 from bugbot.frames import cell_of
 from grader import check, function
@@ -7,28 +12,50 @@ from mapping.beam import end_of_beam
 CELL, FAR = 5, 170
 
 
-def along(x, y, angle, length):
-    steps = range(int(length / (CELL / 2)))
+def walked(x, y, angle, length):
+    steps = range(max(0, ceil(length / (CELL / 2))))
     cells = [cell_of(*end_of_beam(x, y, angle, i * CELL / 2), CELL) for i in steps]
     return [cell for cell in cells if cell is not None]
 
 
-def says(x, y, angle, reading, wall=lambda reading: reading < FAR, free=FAR, hit=None):
+def says(x, y, angle, reading, wall=None, free=FAR, hit=None, far=FAR, short=CELL, back=0):
     """(free cells, hit): `free` cm and a hit at `hit` cm for a reading that is no wall."""
-    length, end = (reading - CELL, reading) if wall(reading) else (free, hit)
+    is_wall = reading < far if wall is None else wall(reading)
+    length, end = (reading - short, reading - back) if is_wall else (free, hit)
     there = None if end is None else cell_of(*end_of_beam(x, y, angle, end), CELL)
-    return along(x, y, angle, length), there
+    return walked(x, y, angle, length), there
+
+
+def key(cell):
+    return tuple(cell) if isinstance(cell, list | tuple) else cell
 
 
 def same(expected, got):
     """The same free cells, in any order and however often, and the same hit."""
     try:
         (right_free, right_hit), (free, hit) = expected, got
-        same_free = {tuple(cell) for cell in free} == {tuple(cell) for cell in right_free}
-        return same_free and (hit and tuple(hit)) == (right_hit and tuple(right_hit))
+        same_free = {key(cell) for cell in free} == {key(cell) for cell in right_free}
+        return same_free and (hit is None) == (right_hit is None) and key(hit) == key(right_hit)
     except (TypeError, ValueError):
         return False
 
+
+def otherwise(**changed):
+    """What a mistake answers that takes a reading otherwise."""
+    return lambda *asked: says(*asked, **changed)
+
+
+def hit_instead(nothing):
+    """What a mistake answers that has something else for None."""
+
+    def answer(*asked):
+        free, hit = says(*asked)
+        return free, nothing if hit is None else hit
+
+    return answer
+
+
+NO_CELL = "where nothing was found, hit is None: the program asks for just that"
 
 beam_says = function(
     "beam_says(x, y, angle, reading)",
@@ -38,17 +65,17 @@ beam_says = function(
         (
             "the maximum was taken for a wall: a reading of FAR or more means that nothing was "
             "found, so hit is None",
-            lambda x, y, angle, reading: says(x, y, angle, reading, lambda r: True),
+            otherwise(wall=lambda reading: True),
             0,
         ),
         (
             "only the maximum of 200 counts as nothing: from FAR on a reading is no wall",
-            lambda x, y, angle, reading: says(x, y, angle, reading, lambda r: r < 200),
+            otherwise(wall=lambda reading: reading < 200),
             0,
         ),
         (
             "a reading of nothing is evidence too: the floor is free as far as FAR",
-            lambda x, y, angle, reading: says(x, y, angle, reading, free=0),
+            otherwise(free=0),
             1,
         ),
         (
@@ -57,26 +84,74 @@ beam_says = function(
             1,
         ),
         (
+            "free further than FAR: a long reading is believed only as far as FAR",
+            lambda x, y, angle, reading: says(x, y, angle, reading, free=reading - CELL),
+            1,
+        ),
+        (
+            "free further than FAR: a long reading is believed only as far as FAR",
+            otherwise(free=200),
+            1,
+        ),
+        (
             "a hit at FAR: where nothing was found, no cell was hit, so hit is None",
-            lambda x, y, angle, reading: says(x, y, angle, reading, hit=FAR),
+            otherwise(hit=FAR),
+            0,
+        ),
+        (
+            "a long reading was cut to FAR and then taken for a wall there: nothing was found, so "
+            "hit is None and the floor is free right up to FAR",
+            otherwise(free=FAR - CELL, hit=FAR),
             0,
         ),
         (
             "one cell too few: there is no hit to stop short of, so the floor is free right up to "
             "FAR",
-            lambda x, y, angle, reading: says(x, y, angle, reading, free=FAR - CELL),
+            otherwise(free=FAR - CELL),
             1,
         ),
         (
             "a reading of exactly FAR was taken for a wall: FAR or more is none",
-            lambda x, y, angle, reading: says(x, y, angle, reading, lambda r: r <= FAR),
+            otherwise(wall=lambda reading: reading <= FAR),
             2,
         ),
         (
-            "the wrong way round: a reading below FAR is a wall, FAR or more is none",
-            lambda x, y, angle, reading: says(x, y, angle, reading, lambda r: r >= FAR),
+            "the two cases are the wrong way round: a reading below FAR is a wall, FAR or more is "
+            "none",
+            otherwise(wall=lambda reading: reading >= FAR),
             0,
         ),
+        (
+            "free right up to the hit: for a wall the floor is free only up to reading - CELL",
+            otherwise(short=0),
+            2,
+        ),
+        (
+            "the hit is one cell too near: the beam ended at the full reading",
+            otherwise(back=CELL),
+            2,
+        ),
+        (
+            "the hit comes first here: the answer is the free cells, then the hit",
+            lambda *asked: says(*asked)[::-1],
+            2,
+        ),
+        (NO_CELL, hit_instead([]), 1),
+        (NO_CELL, hit_instead(False), 1),
+        (NO_CELL, hit_instead((None, None)), 1),
+        (NO_CELL, hit_instead(-1), 1),
+        (NO_CELL, hit_instead(0), 1),
+    ],
+)
+
+FAR_120 = function(
+    "beam_says(x, y, angle, reading)",
+    otherwise(far=120, free=120),
+    compare=same,
+    mistakes=[
+        ("170 is typed in: use FAR, so that it can change", says, 2),
+        ("170 is typed in: use FAR, so that it can change", otherwise(far=120), 2),
+        ("170 is typed in: use FAR, so that it can change", otherwise(free=120), 2),
     ],
 )
 
@@ -95,7 +170,7 @@ def nothing(task):
 @check("Readings from 170 to 200", hint=0)
 def far(task):
     for reading in (170, 178.3, 199.9):
-        task.call(beam_says, 12.5, 12.5, 50, reading)
+        task.call(beam_says, 12.5, 12.5, 57, reading)
 
 
 @check("A reading just under 170", hint=2)
@@ -105,4 +180,16 @@ def just_under(task):
 
 @check("A hit that noise has put beyond the mat", hint=2)
 def beyond(task):
-    task.call(beam_says, 132.5, 92.5, 90, 68.5)
+    task.call(beam_says, 132.5, 92.5, 90, 70)
+
+
+@check("A hit in the corner of the mat", hint=2)
+def corner(task):
+    task.call(beam_says, 2.5, 52.5, 180, 50)
+
+
+@check("With FAR at 120 cm", hint=2)
+def another_far(task):
+    task.set("FAR", 120)
+    task.call(FAR_120, 22.5, 12.5, 30, 119.5)
+    task.call(FAR_120, 22.5, 12.5, 30, 140)

@@ -7,19 +7,23 @@ from mapping.grid import Grid
 GRID = Grid(5)
 
 
-def says(run, seen_as=lambda x, y, heading, angle: (x, y, heading + angle), only=slice(None)):
-    """(free, hit), sets of places in the list, of this run's own scans.
+def says(run, seen_as=None, only=slice(None), beams=slice(None)):
+    """(free, hit), sets of indices in the list, of this run's own scans.
 
-    seen_as  where a beam begins and which way it goes, as a slip would take it
-    only     which of the looks count
+    seen_as  (scan, angle, reading) -> x, y, direction, reading as a mistake would take them
+    only     which of the scans count
+    beams    which beams of each scan count
     """
     free, hit = set(), set()
     for scan in run.scans[only]:
-        for angle, reading in scan.beams:
-            x, y, direction = seen_as(scan.x, scan.y, scan.heading, angle)
-            cells = passed_by_steps(x, y, direction, clear_length(reading, 5), 5)
+        for angle, reading in scan.beams[beams]:
+            beam = scan.x, scan.y, scan.heading + angle, reading
+            if seen_as is not None:
+                beam = seen_as(scan, angle, reading)
+            x, y, direction, length = beam
+            cells = passed_by_steps(x, y, direction, clear_length(max(0, length), 5), 5)
             free |= {GRID.index(cell) for cell in cells if GRID.holds(cell)}
-            end = end_of_hit(x, y, direction, reading)
+            end = end_of_hit(x, y, direction, length)
             hit |= {GRID.index_at(*end)} if end else set()
     hit.discard(None)
     return free - hit, hit
@@ -30,65 +34,150 @@ def drawn(run):
     return tuple({GRID.index_at(x, y) for x, y in run.layer(name)} for name in ("free", "hit"))
 
 
-def looks_like(run, ought):
-    """Whether the cells drawn are these, or nearly."""
+def looks_like(run, ought, most=0.15):
+    """Whether the cells drawn are these, but for so large a share."""
     is_drawn = drawn(run)
     different = sum(len(a ^ b) for a, b in zip(is_drawn, ought, strict=True))
-    return different <= 0.15 * sum(map(len, ought))
+    return different <= most * sum(map(len, ought))
 
 
-ONE_READING = "only one reading a look is used: go through all of scan()"
-SLIPS = [
-    (ONE_READING, lambda run: all(len(scan.beams) == 1 for scan in run.scans), 0),
+def seen(x=None, y=None, direction=None, reading=None, most=0.04):
+    """A mistake that takes one part of a beam otherwise: (run, scan, angle, reading) -> it.
+
+    Beams straight up the mat run along the line between two columns, where a cell more or less
+    hangs on the last digit; `most` leaves room for them.
+    """
+
+    def explains(run):
+        def beam(scan, angle, length):
+            right = scan.x, scan.y, scan.heading + angle, length
+            changed = x, y, direction, reading
+            return tuple(
+                part if change is None else change(run, scan, angle, length)
+                for part, change in zip(right, changed, strict=True)
+            )
+
+        return looks_like(run, says(run, beam), most)
+
+    return explains
+
+
+def free_replaced(run):
+    """Free cells of the last beam alone, and all the hits."""
+    scans = [scan for scan in run.scans if scan.beams]
+    last = says(run, only=slice(len(run.scans) - 1, None), beams=slice(-1, None))[0]
+    hits = says(run)[1]
+    return bool(scans) and looks_like(run, (last - hits, hits))
+
+
+def measured_again(run):
+    """Whether distance() was asked between the scans, once for each beam or so."""
+    single = sum(len(scan.beams) == 1 for scan in run.scans)
+    return 0 < len(run.scans) - single < single
+
+
+MISTAKES = [
+    (
+        "only one reading is used each time: go through all the pairs of scan()",
+        lambda run: all(len(scan.beams) == 1 for scan in run.scans),
+        0,
+    ),
+    (
+        "distance() measures anew, straight ahead: take the reading that scan() gives together "
+        "with the angle",
+        measured_again,
+        2,
+    ),
     ("no hit is kept: add it to hits, unless it is None", lambda run: not drawn(run)[1], 2),
     ("no free cell is kept: free.update(passed) adds them all", lambda run: not drawn(run)[0], 2),
     (
-        "the robot's heading was left out: angles of scan() are from straight ahead, so add "
-        "heading()",
-        lambda run: looks_like(run, says(run, lambda x, y, heading, angle: (x, y, angle))),
+        "only the last pair of each scan is used: the lines that add belong inside the loop",
+        lambda run: looks_like(run, says(run, beams=slice(-1, None))),
+        2,
+    ),
+    (
+        "only one pair of each scan is used: go through all of them with a loop",
+        lambda run: any(
+            looks_like(run, says(run, beams=slice(beam, beam + 1)), most=0.15) for beam in range(8)
+        ),
+        0,
+    ),
+    (
+        "free holds the cells of one beam only: add with free.update(passed), for = throws the "
+        "others away",
+        free_replaced,
+        2,
+    ),
+    (
+        "only the last scan is drawn: add to free and hits, don't begin them anew",
+        lambda run: looks_like(run, says(run, only=slice(-1, None))),
+        2,
+    ),
+    (
+        "heading() was left out: the angles of scan() are from straight ahead, so add it",
+        seen(direction=lambda run, scan, angle, reading: angle),
+        1,
+    ),
+    (
+        "heading() was added twice: the direction is heading() + angle",
+        seen(direction=lambda run, scan, angle, reading: 2 * scan.heading + angle),
         1,
     ),
     (
         "the angle was subtracted: both turn clockwise, so add it to heading()",
-        lambda run: looks_like(
-            run, says(run, lambda x, y, heading, angle: (x, y, heading - angle))
-        ),
+        seen(direction=lambda run, scan, angle, reading: scan.heading - angle),
         1,
     ),
     (
         "all eight beams were sent straight ahead: add the angle of each to heading()",
-        lambda run: looks_like(run, says(run, lambda x, y, heading, angle: (x, y, heading))),
+        seen(direction=lambda run, scan, angle, reading: scan.heading, most=0.15),
         1,
     ),
     (
-        "every beam begins where the robot started: ask position() at each look, and add START",
-        lambda run: looks_like(
-            run, says(run, lambda x, y, heading, angle: (run.start.x, run.start.y, heading + angle))
+        "angle and reading are the wrong way round: scan() gives (angle, reading)",
+        seen(
+            direction=lambda run, scan, angle, reading: scan.heading + reading,
+            reading=lambda run, scan, angle, reading: angle,
+        ),
+        0,
+    ),
+    (
+        "every beam begins where the robot started: ask position() each time, and add START",
+        seen(
+            x=lambda run, scan, angle, reading: run.start.x,
+            y=lambda run, scan, angle, reading: run.start.y,
         ),
         1,
     ),
     (
         "START was not added: position() counts from where the robot started",
-        lambda run: looks_like(
-            run,
-            says(
-                run,
-                lambda x, y, heading, angle: (x - run.start.x, y - run.start.y, heading + angle),
-            ),
+        seen(
+            x=lambda run, scan, angle, reading: scan.x - run.start.x,
+            y=lambda run, scan, angle, reading: scan.y - run.start.y,
         ),
         1,
     ),
     (
-        "only the last look is drawn: add to free and hits, don't begin them anew",
-        lambda run: looks_like(run, says(run, only=slice(-1, None))),
-        2,
+        "position() was subtracted: the robot is at START plus what position() says",
+        seen(
+            x=lambda run, scan, angle, reading: 2 * run.start.x - scan.x,
+            y=lambda run, scan, angle, reading: 2 * run.start.y - scan.y,
+        ),
+        1,
     ),
-    (ONE_READING, lambda run: sum(map(len, drawn(run))) < 0.4 * sum(map(len, says(run))), 0),
+    (
+        "x and y are the wrong way round: position() gives x first",
+        seen(
+            x=lambda run, scan, angle, reading: scan.y,
+            y=lambda run, scan, angle, reading: scan.x,
+        ),
+        1,
+    ),
 ]
 
 
 def compare(task, world):
-    run = task.run(world, seed=5, seconds=90, mistakes=SLIPS)
+    run = task.run(world, seed=5, seconds=90, mistakes=MISTAKES)
     run.scanned(at_least=18)
     ought, is_drawn = says(run), drawn(run)
     for name, right, cells in zip(("free", "hit"), ought, is_drawn, strict=True):

@@ -4,6 +4,48 @@ from grader import check, function
 from mapping.beam import bresenham
 
 
+def stepped(first, last, gain=2, over=1, taken_off=lambda drift, longer: drift - 2 * longer):
+    """The line by the steps of the lesson, with something changed.
+
+    gain       a step adds so many times the shorter side
+    over       the step goes sideways above so many times the longer side
+    taken_off  the drift after that
+    """
+    column, row = first
+    wide, high = abs(last[0] - column), abs(last[1] - row)
+    right = 1 if last[0] > column else -1
+    up = 1 if last[1] > row else -1
+    longer, shorter = max(wide, high), min(wide, high)
+    cells, drift = [(column, row)], 0
+    for _ in range(longer):
+        drift += gain * shorter
+        sideways = drift > over * longer
+        if sideways:
+            drift = taken_off(drift, longer)
+        if wide >= high or sideways:
+            column += right
+        if wide < high or sideways:
+            row += up
+        cells.append((column, row))
+    return cells
+
+
+def with_other(**changed):
+    """What a mistake answers that steps otherwise."""
+    return lambda first, last: stepped(first, last, **changed)
+
+
+def rounded_down(first, last):
+    """As if the line went sideways only after a complete cell, instead of half a cell."""
+    (c0, r0), (c1, r1) = first, last
+    wide, high = abs(c1 - c0), abs(r1 - r0)
+    right, up, longer = (1 if c1 > c0 else -1), (1 if r1 > r0 else -1), max(wide, high)
+    return [
+        (c0 + right * (step * wide // (longer or 1)), r0 + up * (step * high // (longer or 1)))
+        for step in range(longer + 1)
+    ]
+
+
 def by_columns(first, last):
     """A cell in each column only: right for lines that are not steep."""
     (c0, r0), (c1, r1) = first, last
@@ -23,17 +65,6 @@ def diagonal_first(first, last):
     return cells
 
 
-def rounded_down(first, last):
-    """As if the line went sideways only after a whole cell, instead of half a cell."""
-    (c0, r0), (c1, r1) = first, last
-    wide, high = abs(c1 - c0), abs(r1 - r0)
-    right, up, longer = (1 if c1 > c0 else -1), (1 if r1 > r0 else -1), max(wide, high)
-    return [
-        (c0 + right * (step * wide // longer), r0 + up * (step * high // longer))
-        for step in range(longer + 1)
-    ]
-
-
 def no_diagonals(first, last):
     """With a cell put in at each corner, along the longer side."""
     cells = [tuple(first)]
@@ -46,12 +77,27 @@ def no_diagonals(first, last):
     return cells
 
 
-def mirrored(first, last, right, up):
-    """The line to where a program that only goes `right` or `up` would arrive."""
-    c = first[0] + abs(last[0] - first[0]) if right else last[0]
-    r = first[1] + abs(last[1] - first[1]) if up else last[1]
-    return bresenham(first, (c, r))
+def mirrored(right, up):
+    """What a mistake answers that only goes right, or only up."""
 
+    def answer(first, last):
+        column = first[0] + abs(last[0] - first[0]) if right else last[0]
+        row = first[1] + abs(last[1] - first[1]) if up else last[1]
+        return bresenham(first, (column, row))
+
+    return answer
+
+
+def turned(first, last):
+    """As if the longer side were taken for the shorter one: a step up where one goes right."""
+    (c0, r0), (c1, r1) = first, last
+    wide, high = abs(c1 - c0), abs(r1 - r0)
+    right, up = (1 if c1 > c0 else -1), (1 if r1 > r0 else -1)
+    along = bresenham((0, 0), (high, wide))
+    return [(c0 + right * column, r0 + up * row) for column, row in along]
+
+
+BACKWARDS = "the cells come in the wrong order: first comes first, last comes last"
 
 line_of_cells = function(
     "line_of_cells(first, last)",
@@ -64,24 +110,69 @@ line_of_cells = function(
             0,
         ),
         (
+            "the first cell is there twice: it is in cells already, so begin with the first step",
+            lambda first, last: [first, *bresenham(first, last)],
+            2,
+        ),
+        (
+            "only the two ends came out: append a cell at each step between them",
+            lambda first, last: [first, last],
+            2,
+        ),
+        (
             "steep lines have gaps: where a line is higher than wide, go row by row",
             by_columns,
             0,
         ),
         (
             "only lines to the right come out: if last is further left, the columns count down",
-            lambda first, last: mirrored(first, last, True, False),
+            mirrored(right=True, up=False),
             0,
         ),
         (
             "only lines upwards come out: if last is further down, the rows count down",
-            lambda first, last: mirrored(first, last, False, True),
+            mirrored(right=False, up=True),
+            0,
+        ),
+        (
+            "only lines to the right and upwards come out: columns and rows may count down as well",
+            mirrored(right=True, up=True),
             0,
         ),
         (
             "sideways too late: go sideways once the line is more than half a cell off, not a "
-            "whole one",
+            "complete one",
             rounded_down,
+            1,
+        ),
+        (
+            "sideways too late: where a step adds 2 * shorter, half a cell is `longer`, and more "
+            "than that goes sideways",
+            with_other(gain=1),
+            1,
+        ),
+        (
+            "sideways too late: where a step adds 2 * shorter, half a cell is `longer`, and more "
+            "than that goes sideways",
+            with_other(over=2),
+            1,
+        ),
+        (
+            "nothing is taken off the drift after a step sideways: a complete cell, 2 * longer, "
+            "has to go",
+            with_other(taken_off=lambda drift, longer: drift),
+            1,
+        ),
+        (
+            "the drift was set to 0 after a step sideways: take 2 * longer off, so that what is "
+            "left over counts on",
+            with_other(taken_off=lambda drift, longer: 0),
+            1,
+        ),
+        (
+            "too little is taken off the drift after a step sideways: a complete cell is "
+            "2 * longer",
+            with_other(taken_off=lambda drift, longer: drift - longer),
             1,
         ),
         (
@@ -94,6 +185,15 @@ line_of_cells = function(
             no_diagonals,
             2,
         ),
+        (
+            "wide and high are the wrong way round: a line that is wider than high goes one "
+            "column further at each step",
+            turned,
+            0,
+        ),
+        (BACKWARDS, lambda first, last: bresenham(first, last)[::-1], 2),
+        (BACKWARDS, lambda first, last: sorted(bresenham(first, last)), 2),
+        (BACKWARDS, lambda first, last: bresenham(*sorted([first, last])), 2),
     ],
 )
 
@@ -115,11 +215,19 @@ def steep(task):
     task.call(line_of_cells, (0, 0), (1, 3), gives=[(0, 0), (0, 1), (1, 2), (1, 3)])
 
 
+@check("A diagonal line", hint=0)
+def diagonal(task):
+    task.call(line_of_cells, (5, 5), (8, 8), gives=[(5, 5), (6, 6), (7, 7), (8, 8)])
+
+
 @check("Lines to the left and downwards", hint=0)
 def left_and_down(task):
     task.call(line_of_cells, (10, 10), (3, 13))
     task.call(line_of_cells, (10, 10), (7, 3))
     task.call(line_of_cells, (10, 10), (15, 7))
+    task.call(line_of_cells, (10, 10), (6, 10))
+    task.call(line_of_cells, (10, 10), (10, 7))
+    task.call(line_of_cells, (10, 10), (7, 7))
 
 
 @check("One cell", hint=0)

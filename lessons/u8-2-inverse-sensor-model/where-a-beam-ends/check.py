@@ -1,9 +1,39 @@
-"""end_of_beam(x, y, angle, reading): the point where a beam ended."""
+"""end_of_beam(x, y, angle, reading): the point where a beam ended.
+
+The robot faces 20 degrees meanwhile, so that a heading which is added to the angle shows.
+"""
 
 from math import cos, degrees, radians, sin
 
 from grader import check, function, near
 from mapping.beam import end_of_beam as right_end
+
+
+def by(along_x, along_y):
+    """What a mistake answers that goes so far along x and y for each cm of the reading."""
+    return lambda x, y, angle, reading: (
+        x + reading * along_x(angle),
+        y + reading * along_y(angle),
+    )
+
+
+def sine(angle):
+    return sin(radians(angle))
+
+
+def cosine(angle):
+    return cos(radians(angle))
+
+
+def rounded(change):
+    """What a mistake answers that changes both numbers of the right point."""
+    return lambda *asked: tuple(map(change, right_end(*asked)))
+
+
+ROUNDED = "the point was rounded: return x and y with all their decimals"
+TURNED = (
+    "heading() was added: the angle is the direction on the mat already, so use it as it is given"
+)
 
 end_of_beam = function(
     "end_of_beam(x, y, angle, reading)",
@@ -11,28 +41,52 @@ end_of_beam = function(
     compare=near(0.01, "cm"),
     mistakes=[
         (
-            "sine and cosine look swapped: an angle is clockwise from up the mat, so x goes by "
-            "sine and y by cosine",
-            lambda x, y, angle, reading: (
-                x + reading * cos(radians(angle)),
-                y + reading * sin(radians(angle)),
-            ),
+            "sine and cosine are the wrong way round: the angle is clockwise from straight up the "
+            "mat, so x goes by sine and y by cosine",
+            by(cosine, sine),
             0,
         ),
         (
-            "degrees look taken for radians: turn the angle into radians before math.sin() and "
+            "degrees were taken for radians: turn the angle into radians before math.sin() and "
             "math.cos()",
-            lambda x, y, angle, reading: (x + reading * sin(angle), y + reading * cos(angle)),
+            by(sin, cos),
             1,
         ),
+        (
+            "only one of the two got radians: math.sin() and math.cos() both want them",
+            by(sine, cos),
+            1,
+        ),
+        (
+            "only one of the two got radians: math.sin() and math.cos() both want them",
+            by(sin, cosine),
+            1,
+        ),
+        ("x and y both go by sine: y goes by cosine", by(sine, sine), 0),
+        ("x and y both go by cosine: x goes by sine", by(cosine, cosine), 0),
         (
             "y was taken to grow downwards: on the mat y grows upwards, so add",
             lambda x, y, angle, reading: right_end(x, y, 180 - angle, reading),
             0,
         ),
         (
+            "the beam goes backwards: add to x and to y, don't subtract",
+            lambda x, y, angle, reading: right_end(x, y, angle + 180, reading),
+            2,
+        ),
+        (
             "where the beam began was left out: add x and y",
             lambda x, y, angle, reading: right_end(0, 0, angle, reading),
+            2,
+        ),
+        (
+            "the beam begins at START here: it begins at the x and y that the function is given",
+            lambda x, y, angle, reading: right_end(100, 40, angle, reading),
+            2,
+        ),
+        (
+            "START was added: x and y count from the corner of the mat already",
+            lambda x, y, angle, reading: right_end(x + 100, y + 40, angle, reading),
             2,
         ),
         (
@@ -51,29 +105,57 @@ end_of_beam = function(
             lambda x, y, angle, reading: right_end(x, y, angle, 1),
             2,
         ),
+        (
+            "the sum was multiplied: only the reading is to be multiplied by the sine or the "
+            "cosine, so leave out the brackets",
+            lambda x, y, angle, reading: (
+                (x + reading) * sine(angle),
+                (y + reading) * cosine(angle),
+            ),
+            2,
+        ),
+        (
+            "the answer is (y, x): x comes first",
+            lambda *asked: right_end(*asked)[::-1],
+            0,
+        ),
+        (TURNED, lambda x, y, angle, reading: right_end(x, y, angle + 20, reading), 0),
+        (TURNED, lambda x, y, angle, reading: right_end(x, y, angle + 70, reading), 0),
+        (ROUNDED, rounded(round), 2),
+        (ROUNDED, rounded(int), 2),
+        (ROUNDED, rounded(lambda value: round(value, 1)), 2),
+        (
+            "a cell was taken off the reading: the beam ended at the full reading",
+            lambda x, y, angle, reading: right_end(x, y, angle, reading - 5),
+            2,
+        ),
     ],
 )
 
 
+def ask(task, *asked, **gives):
+    task.call(end_of_beam, *asked, **gives, world="wall-askew")
+
+
 @check("A beam straight up the mat", hint=0)
 def up(task):
-    task.call(end_of_beam, 100, 50, 0, 30, gives=(100, 80))
+    ask(task, 100, 50, 0, 30, gives=(100, 80))
 
 
 @check("A beam to the right", hint=0)
 def to_the_right(task):
-    task.call(end_of_beam, 100, 50, 90, 30, gives=(130, 50))
+    ask(task, 100, 50, 90, 30, gives=(130, 50))
 
 
 @check("Down and to the left", hint=0)
 def down_and_left(task):
-    task.call(end_of_beam, 100, 50, 180, 30, gives=(100, 20))
-    task.call(end_of_beam, 100, 50, 270, 30, gives=(70, 50))
+    ask(task, 100, 50, 180, 30, gives=(100, 20))
+    ask(task, 100, 50, 270, 30, gives=(70, 50))
 
 
 @check("30 degrees to the right of straight up", hint=1)
 def slanting(task):
-    task.call(end_of_beam, 20, 10, 30, 100, gives=(70, 96.6025))
+    ask(task, 20, 10, 30, 100, gives=(70, 96.6025))
 
 
 @check("Beams in all directions", hint=2)
@@ -81,4 +163,4 @@ def all_round(task):
     for _ in range(20):
         x, y = (round(task.random.uniform(10, 190), 1) for _ in range(2))
         angle = round(task.random.uniform(-20, 380), 1)
-        task.call(end_of_beam, x, y, angle, round(task.random.uniform(5, 170), 1))
+        ask(task, x, y, angle, round(task.random.uniform(5, 170), 1))

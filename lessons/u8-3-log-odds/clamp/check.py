@@ -7,13 +7,42 @@ def kept(l, limit):
     return max(-limit, min(limit, l))
 
 
+def right(l, evidence, limit):
+    return kept(l + evidence, limit)
+
+
+def beyond(answer):
+    """What a mistake answers that has `answer(l, total, limit)` for a sum past the limit."""
+
+    def add(l, evidence, limit):
+        total = l + evidence
+        return total if -limit <= total <= limit else answer(l, total, limit)
+
+    return add
+
+
+def within_nothing(l, evidence, limit):
+    total = right(l, evidence, limit)
+    return None if -limit <= l + evidence <= limit else total
+
+
+CHANGED_PLACES = (
+    "min and max have changed places: min(limit, ...) holds the top, max(-limit, ...) the bottom"
+)
+OWN_LIMIT = (
+    "the limit is 8 here, whatever the function is told: use its parameter `limit`, not 8 and not "
+    "L_MAX"
+)
+ROUNDED = "the answer was rounded: return it with all its decimals"
+
 add = function(
     "add(l, evidence, limit)",
-    lambda l, evidence, limit: kept(l + evidence, limit),
+    right,
     compare=near(0.0001),
     mistakes=[
         (
-            "there is no clamp yet: the sum must stay between -limit and limit",
+            "what comes back is not clamped: return what max() and min() give, between -limit and "
+            "limit",
             lambda l, evidence, limit: l + evidence,
             0,
         ),
@@ -33,38 +62,70 @@ add = function(
             0,
         ),
         (
-            "l is clamped before the evidence is added, so the "
-            "sum can still pass the limit: add first",
+            "l is clamped before the evidence is added, so the sum can still pass the limit: add "
+            "first",
             lambda l, evidence, limit: kept(l, limit) + evidence,
             0,
         ),
+        (CHANGED_PLACES, lambda l, evidence, limit: max(limit, min(-limit, l + evidence)), 2),
+        (CHANGED_PLACES, lambda l, evidence, limit: min(-limit, max(limit, l + evidence)), 2),
         (
-            "min and max have changed places: min(limit, ...) "
-            "holds the top, max(-limit, ...) the bottom",
-            lambda l, evidence, limit: max(limit, min(-limit, l + evidence)),
+            "the two limits have changed places: above limit the answer is limit, below -limit "
+            "it is -limit",
+            beyond(lambda l, total, limit: -limit if total > 0 else limit),
             2,
         ),
+        (OWN_LIMIT, lambda l, evidence, limit: kept(l + evidence, 8), 1),
+        (OWN_LIMIT, lambda l, evidence, limit: max(-8, min(limit, l + evidence)), 1),
+        (OWN_LIMIT, lambda l, evidence, limit: max(-limit, min(8, l + evidence)), 1),
         (
-            "min and max have changed places: min(limit, ...) "
-            "holds the top, max(-limit, ...) the bottom",
-            lambda l, evidence, limit: min(-limit, max(limit, l + evidence)),
-            2,
+            "evidence past the limit is thrown away: the sum should come to rest on the limit",
+            beyond(lambda l, total, limit: l),
+            0,
         ),
         (
-            "8 is typed in: use the limit that the function is given",
-            lambda l, evidence, limit: kept(l + evidence, 8),
+            "past the limit it goes back to 0: the sum should come to rest on the limit",
+            beyond(lambda l, total, limit: 0),
+            0,
+        ),
+        (
+            "the bottom is 0 here: free floor goes below 0, down to -limit",
+            lambda l, evidence, limit: max(0, min(limit, l + evidence)),
             1,
         ),
         (
-            "evidence past the limit is thrown away: the sum should come to rest on the limit",
-            lambda l, evidence, limit: l + evidence if -limit <= l + evidence <= limit else l,
-            0,
+            "the sign is lost: below -limit the answer is -limit, and abs() makes limit of it",
+            lambda l, evidence, limit: min(limit, abs(l + evidence)),
+            1,
         ),
         (
             "the evidence is missing: clamp l + evidence, not l",
             lambda l, evidence, limit: kept(l, limit),
             0,
         ),
+        (
+            "the evidence was subtracted: it has its own sign already, so add it",
+            lambda l, evidence, limit: kept(l - evidence, limit),
+            0,
+        ),
+        (
+            "l and evidence were multiplied: evidence is added",
+            lambda l, evidence, limit: kept(l * evidence, limit),
+            0,
+        ),
+        (
+            "L_OCC was added, whatever the evidence is: use the parameter `evidence`",
+            lambda l, evidence, limit: kept(l + 0.85, limit),
+            0,
+        ),
+        (
+            "within the limits nothing comes back: the sum itself has to be returned there",
+            within_nothing,
+            0,
+        ),
+        (ROUNDED, lambda l, evidence, limit: round(right(l, evidence, limit), 1), 2),
+        (ROUNDED, lambda l, evidence, limit: round(right(l, evidence, limit)), 2),
+        (ROUNDED, lambda l, evidence, limit: int(right(l, evidence, limit)), 2),
     ],
 )
 
@@ -73,6 +134,7 @@ add = function(
 def free(task):
     task.call(add, 0, 0.85, 8, gives=0.85)
     task.call(add, 0.85, -0.4, 8, gives=0.45)
+    task.call(add, -3.2, 0.85, 8, gives=-2.35)
 
 
 @check("Never above the limit", hint=1)
@@ -100,4 +162,7 @@ def other(task):
             l = round(task.random.uniform(-limit, limit), 2)
             task.call(add, l, task.random.choice((0.85, -0.4, 2.5)), limit)
     task.call(add, 1.9, 0.85, 2, gives=2)
+    task.call(add, -1.9, -0.4, 2, gives=-2)
     task.call(add, 9, -0.4, 2, gives=2)
+    task.call(add, 99, 0.85, 100, gives=99.85)
+    task.call(add, -99, -0.4, 100, gives=-99.4)

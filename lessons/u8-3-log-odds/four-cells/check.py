@@ -1,9 +1,11 @@
-"""The chart's four lines, look by look, held against what the readings say."""
+"""The chart's four series, scan by scan, held against what the readings say."""
 
+from dataclasses import dataclass
 from math import exp, floor
 
 from grader import check
 from mapping.beam import clear_length, end_of_hit, passed_by_steps
+from mapping.grid import Grid
 
 CELLS = {
     "floor": (102.5, 122.5),
@@ -11,27 +13,50 @@ CELLS = {
     "wall": (102.5, 152.5),
     "behind": (102.5, 177.5),
 }
+GRID = Grid(5)
 
 
 def clamp(l):
     return max(-8, min(8, l))
 
 
-def retold(run, x, y, rule, shown):
-    """The cell's line if every beam changed its log odds by `rule(l, passes, hit)`."""
-    l, cell = 0.0, (floor(x / 5), floor(y / 5))
+@dataclass(frozen=True)
+class Beam:
+    """What one beam says about one cell."""
+
+    passes: int
+    """How often it names the cell as passed."""
+    hit: bool
+    steps: int
+    """How many names of passed cells there are altogether."""
+
+
+def beams_at(run, x, y):
+    """For each scan, what its beams say about the cell of a point."""
+    cell = floor(x / 5), floor(y / 5)
     for scan in run.scans:
+        said = []
         for angle, reading in scan.beams:
             beam = (scan.x, scan.y, scan.heading + angle)
-            passes = passed_by_steps(*beam, clear_length(reading, 5), 5).count(cell)
+            passed = passed_by_steps(*beam, clear_length(reading, 5), 5)
+            on_the_mat = [each for each in passed if GRID.holds(each)]
             end = end_of_hit(*beam, reading)
             hit = end is not None and (floor(end[0] / 5), floor(end[1] / 5)) == cell
-            l = rule(l, passes, hit)
+            said.append(Beam(on_the_mat.count(cell), hit, len(on_the_mat)))
+        yield said
+
+
+def retold(run, x, y, rule, shown):
+    """The cell's series if every beam changed its log odds by `rule(l, beam)`."""
+    l = 0.0
+    for said in beams_at(run, x, y):
+        for beam in said:
+            l = rule(l, beam)
         yield shown(l)
 
 
-def slip(said, rule, shown=lambda l: l, hint=None, turned=False):
-    """A slip, by what it makes of the four lines."""
+def mistake(said, rule, shown=lambda l: l, hint=None, turned=False):
+    """A mistake, by what it makes of the four series."""
 
     def explains(run):
         return all(
@@ -46,71 +71,102 @@ def slip(said, rule, shown=lambda l: l, hint=None, turned=False):
     return (said, explains) if hint is None else (said, explains, hint)
 
 
-def right(l, passes, hit):
-    return clamp(l - 0.4 * passes + 0.85 * hit)
+def right(l, beam):
+    return clamp(l - 0.4 * beam.passes + 0.85 * beam.hit)
 
 
-SLIPS = [
-    slip(
+def hit_at_each_step(l, beam):
+    for step in range(beam.steps):
+        l = clamp(l - 0.4 * (step < beam.passes))
+        l = clamp(l + 0.85 * beam.hit)
+    return l
+
+
+def plots_cells(run):
+    """Whether each series is the number of its cell."""
+    return all(
+        value == GRID.index_at(x, y)
+        for name, (x, y) in CELLS.items()
+        for _, value in run.line(name).points
+    )
+
+
+MISTAKES = [
+    mistake(
         "there is no clamp: add(), after adding, must keep log_odds[cell] between -L_MAX and L_MAX",
-        lambda l, passes, hit: l - 0.4 * passes + 0.85 * hit,
+        lambda l, beam: l - 0.4 * beam.passes + 0.85 * beam.hit,
         hint=0,
     ),
-    slip(
+    mistake(
         "clamped only at the top: floor needs a limit too, at -L_MAX",
-        lambda l, passes, hit: min(8, l - 0.4 * passes + 0.85 * hit),
+        lambda l, beam: min(8, l - 0.4 * beam.passes + 0.85 * beam.hit),
         hint=0,
     ),
-    slip(
+    mistake(
         "clamped only at the bottom: walls need a limit too, at L_MAX",
-        lambda l, passes, hit: max(-8, l - 0.4 * passes + 0.85 * hit),
+        lambda l, beam: max(-8, l - 0.4 * beam.passes + 0.85 * beam.hit),
         hint=0,
     ),
-    slip(
+    mistake(
         "hits and passes have changed places: L_FREE is for passed cells, L_OCC for the hit",
-        lambda l, passes, hit: clamp(l + 0.85 * passes - 0.4 * hit),
+        lambda l, beam: clamp(l + 0.85 * beam.passes - 0.4 * beam.hit),
         hint=1,
     ),
-    slip(
-        "each passed cell counted once a beam: the list names a cell "
-        "once for each half-cell step, and each is evidence",
-        lambda l, passes, hit: clamp(l - 0.4 * (passes > 0) + 0.85 * hit),
+    mistake(
+        "each passed cell counted once a beam: the list names a cell once for each half-cell "
+        "step, and each is evidence",
+        lambda l, beam: clamp(l - 0.4 * (beam.passes > 0) + 0.85 * beam.hit),
         hint=1,
     ),
-    slip(
+    mistake(
         "the hits are never added: the second thing a beam says is where it ended",
-        lambda l, passes, hit: clamp(l - 0.4 * passes),
+        lambda l, beam: clamp(l - 0.4 * beam.passes),
         hint=1,
     ),
-    slip(
+    mistake(
         "the passes are never added: go through the list of passed cells as well",
-        lambda l, passes, hit: clamp(l + 0.85 * hit),
+        lambda l, beam: clamp(l + 0.85 * beam.hit),
         hint=1,
     ),
-    slip(
-        "the evidence took the place of what was there: add "
-        "it, with += or log_odds[cell] + evidence",
-        lambda l, passes, hit: 0.85 if hit else -0.4 if passes else l,
+    mistake(
+        "the hit was added again for each passed cell: it belongs after the loop, once a beam",
+        hit_at_each_step,
+        hint=1,
+    ),
+    mistake(
+        "the sign of L_FREE is turned round: it is negative already, so add it as it is",
+        lambda l, beam: clamp(l + 0.4 * beam.passes + 0.85 * beam.hit),
+        hint=1,
+    ),
+    mistake(
+        "the evidence took the place of what was there: add it, with += or "
+        "log_odds[cell] + evidence",
+        lambda l, beam: 0.85 if beam.hit else -0.4 if beam.passes else l,
         hint=0,
     ),
-    slip(
-        "p added instead of log odds: 0.7 and 0.4 are "
-        "probabilities, L_OCC and L_FREE are their log odds",
-        lambda l, passes, hit: clamp(l + 0.4 * passes + 0.7 * hit),
+    mistake(
+        "p was added, not log odds: 0.7 and 0.4 are probabilities, L_OCC and L_FREE are their log "
+        "odds",
+        lambda l, beam: clamp(l + 0.4 * beam.passes + 0.7 * beam.hit),
         hint=1,
     ),
-    slip(
+    mistake(
         "those are probabilities: the chart should show the log odds as they are in the list",
         right,
         lambda l: 1 / (1 + exp(-l)),
         hint=2,
     ),
-    slip("x and y look swapped: cell_at() wants x first", right, turned=True, hint=2),
+    mistake("x and y are the wrong way round: cell_at() wants x first", right, turned=True, hint=2),
+    (
+        "those are the numbers of the cells: plot log_odds[...] of each, not the number itself",
+        plots_cells,
+        2,
+    ),
 ]
 
 
 def lines_follow(task, world, seed):
-    run = task.run(world, seed=seed, seconds=30, mistakes=SLIPS)
+    run = task.run(world, seed=seed, seconds=30, mistakes=MISTAKES)
     for name, place in CELLS.items():
         run.line(name).follows(run.evidence_at(*place), within=0.02)
     run.scanned(at_least=50)
@@ -129,3 +185,8 @@ def nearer(task):
 @check("A gap in the wall", hint=2)
 def gap(task):
     lines_follow(task, "wall-with-gap", 13)
+
+
+@check("Beams that find nothing", hint=1)
+def nothing(task):
+    lines_follow(task, "open-corner", 14)

@@ -1,19 +1,41 @@
 """log_odds(p) and probability(l): there and back."""
 
-from math import exp, log, log10
+from math import exp, inf, log, log1p, log2, log10
 
 from grader import check, function, near
 from mapping import log_odds as reference
 
+NO_BRACKETS = (
+    "brackets are missing: p / 1 - p divides by 1 only and leaves 0 for the logarithm; write "
+    "p / (1 - p)"
+)
+ROUNDED = "the answer was rounded: return it with all its decimals"
+
+
+def rounded(right, digits):
+    """What a mistake answers that rounds the right number."""
+    return lambda value: round(right(value), digits)
+
+
 log_odds = function(
     "log_odds(p)",
     reference.log_odds,
-    compare=near(0.005),
+    compare=near(0.0001),
     mistakes=[
         (
             "that is the logarithm to base 10: log odds use the natural one, math.log()",
             lambda p: log10(p / (1 - p)),
-            2,
+            1,
+        ),
+        (
+            "that is the logarithm to base 2: log odds use the natural one, math.log()",
+            lambda p: log2(p / (1 - p)),
+            1,
+        ),
+        (
+            "math.log1p() adds 1 before it takes the logarithm: use math.log()",
+            lambda p: log1p(p / (1 - p)),
+            1,
         ),
         (
             "these are the odds, not yet their logarithm: put math.log() round p / (1 - p)",
@@ -22,17 +44,32 @@ log_odds = function(
         ),
         ("that is the logarithm of p itself: divide p by 1 - p first", log, 0),
         (
-            "the odds look upside down: p is for, 1 - p against, so it is p over 1 - p",
+            "the odds are upside down: p is for, 1 - p against, so it is p over 1 - p",
             lambda p: log((1 - p) / p),
             0,
         ),
+        (
+            "two logarithms were divided: divide p by 1 - p first, then take one logarithm",
+            lambda p: log(p) / log(1 - p),
+            0,
+        ),
+        (
+            "the logarithm was taken of p alone: it belongs round all of p / (1 - p)",
+            lambda p: log(p) / (1 - p),
+            1,
+        ),
+        (NO_BRACKETS, lambda p: log(p / 1 - p), 1),
+        (NO_BRACKETS, lambda p: -inf, 1),
+        (ROUNDED, rounded(reference.log_odds, 1), 2),
+        (ROUNDED, rounded(reference.log_odds, 2), 2),
+        (ROUNDED, rounded(reference.log_odds, 3), 2),
     ],
 )
 
 probability = function(
     "probability(l)",
     reference.probability,
-    compare=near(0.0005),
+    compare=near(0.0001),
     mistakes=[
         (
             "those are the odds, not the probability: odds of o are a probability of o / (1 + o)",
@@ -40,8 +77,13 @@ probability = function(
             2,
         ),
         (
-            "the sign of l looks turned round: with math.exp(l) "
-            "below the line, a large l gives a small p",
+            "those are the odds against: 1 divided by 1 plus that is the probability",
+            lambda l: exp(-l),
+            2,
+        ),
+        (
+            "the sign of l is turned round: with math.exp(l) below the line, a large l gives a "
+            "small p",
             lambda l: 1 / (1 + exp(l)),
             2,
         ),
@@ -50,6 +92,29 @@ probability = function(
             lambda l: l / (1 + l),
             1,
         ),
+        (
+            "brackets are missing: 1 / 1 + ... divides by 1 only; write 1 / (1 + ...)",
+            lambda l: 1 / 1 + exp(-l),
+            2,
+        ),
+        (
+            "a plus sign is wanted below the line: 1 / (1 + math.exp(-l))",
+            lambda l: 1 / (1 - exp(-l)),
+            2,
+        ),
+        (
+            "powers of 10 undo the logarithm to base 10: math.exp() undoes math.log()",
+            lambda l: 1 / (1 + 10**-l),
+            1,
+        ),
+        (
+            "powers of 2 undo the logarithm to base 2: math.exp() undoes math.log()",
+            lambda l: 1 / (1 + 2**-l),
+            1,
+        ),
+        (ROUNDED, rounded(reference.probability, 1), 2),
+        (ROUNDED, rounded(reference.probability, 2), 2),
+        (ROUNDED, rounded(reference.probability, 3), 2),
     ],
 )
 

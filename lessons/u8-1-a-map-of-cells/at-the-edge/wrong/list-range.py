@@ -1,4 +1,4 @@
-# earns: only the place in the list was checked
+# earns: only the index was checked
 # At the edge
 #
 # Write index_of, then press Run. Each red dot

@@ -1,4 +1,4 @@
-# earns: column and row look swapped
+# earns: column and row are the wrong way round
 # At the edge
 #
 # Write index_of, then press Run. Each red dot

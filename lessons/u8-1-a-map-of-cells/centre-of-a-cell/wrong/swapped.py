@@ -1,4 +1,4 @@
-# earns: column and row look swapped
+# earns: column and row are the wrong way round
 # Centre of a cell
 #
 # Write centre_of, then press Run. There

@@ -1,4 +1,4 @@
-# earns: not a whole number
+# earns: never rounded
 # Count the cells
 #
 # Write count_cells, then press Run. So many

@@ -1,4 +1,4 @@
-# earns: np.any keeps
+# earns: so np.all, not np.any
 # Many points at once
 #
 # Write cells_of with NumPy and without a

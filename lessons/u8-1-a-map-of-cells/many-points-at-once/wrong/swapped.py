@@ -1,4 +1,4 @@
-# earns: column and row look swapped
+# earns: column and row are the wrong way round
 # Many points at once
 #
 # Write cells_of with NumPy and without a

@@ -1,4 +1,4 @@
-# earns: degrees look taken for radians
+# earns: degrees were taken for radians
 # A beam without a loop
 #
 # Write cells_passed with NumPy and without a

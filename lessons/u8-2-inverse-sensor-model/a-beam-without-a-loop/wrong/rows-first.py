@@ -1,4 +1,4 @@
-# earns: column and row look swapped
+# earns: column and row are the wrong way round
 # A beam without a loop
 #
 # Write cells_passed with NumPy and without a

@@ -1,4 +1,4 @@
-# earns: sine and cosine look swapped
+# earns: sine and cosine are the wrong way round
 # A beam without a loop
 #
 # Write cells_passed with NumPy and without a

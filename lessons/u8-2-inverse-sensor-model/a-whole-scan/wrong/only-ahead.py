@@ -1,4 +1,4 @@
-# earns: only one reading a look
+# earns: only one pair of each scan
 # A whole scan
 #
 # Let look use the whole scan, then press Run.

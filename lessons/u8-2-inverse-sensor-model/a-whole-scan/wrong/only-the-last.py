@@ -1,4 +1,4 @@
-# earns: only the last look
+# earns: only the last scan is drawn
 # A whole scan
 #
 # Let look use the whole scan, then press Run.

@@ -1,4 +1,4 @@
-# earns: degrees look taken for radians
+# earns: degrees were taken for radians
 # The cells it passed
 #
 # Write cells_passed, then press Run. The

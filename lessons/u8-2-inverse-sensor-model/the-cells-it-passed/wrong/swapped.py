@@ -1,4 +1,4 @@
-# earns: sine and cosine look swapped
+# earns: sine and cosine are the wrong way round
 # The cells it passed
 #
 # Write cells_passed, then press Run. The

@@ -1,4 +1,4 @@
-# earns: degrees look taken for radians
+# earns: degrees were taken for radians
 # Where a beam ends
 #
 # Write end_of_beam, then press Run. The red

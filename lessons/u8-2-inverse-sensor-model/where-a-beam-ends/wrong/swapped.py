@@ -1,4 +1,4 @@
-# earns: sine and cosine look swapped
+# earns: sine and cosine are the wrong way round
 # Where a beam ends
 #
 # Write end_of_beam, then press Run. The red

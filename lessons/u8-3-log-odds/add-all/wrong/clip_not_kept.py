@@ -1,4 +1,4 @@
-# earns: there is no clamp: np.clip() changes nothing in place
+# earns: what comes back is not clamped: np.clip()
 # A whole scan at once, with NumPy
 #
 # A beam that crosses a cell names it about twice, and

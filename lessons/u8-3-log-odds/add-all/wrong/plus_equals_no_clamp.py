@@ -1,4 +1,4 @@
-# earns: a repeated cell counted once, and there is no clamp
+# earns: a repeated cell counted once, and what comes back is not clamped
 # A whole scan at once, with NumPy
 #
 # A beam that crosses a cell names it about twice, and

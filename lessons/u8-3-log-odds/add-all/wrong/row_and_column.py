@@ -1,4 +1,4 @@
-# earns: row and column look swapped
+# earns: row and column are the wrong way round
 # A whole scan at once, with NumPy
 #
 # A beam that crosses a cell names it about twice, and

@@ -1,4 +1,4 @@
-# earns: 8 is typed in
+# earns: the limit is 8 here
 # Clamp
 #
 # One cell. It is hit 30 times, and then beams pass

@@ -1,4 +1,4 @@
-# earns: there is no clamp yet
+# earns: what comes back is not clamped
 # Clamp
 #
 # One cell. It is hit 30 times, and then beams pass

@@ -1,4 +1,4 @@
-# earns: p added instead of log odds
+# earns: p was added, not log odds
 # Four cells
 #
 # The robot drives 50 cm towards a wall. Four cells are

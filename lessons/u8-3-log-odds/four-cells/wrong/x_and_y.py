@@ -1,4 +1,4 @@
-# earns: x and y look swapped
+# earns: x and y are the wrong way round
 # Four cells
 #
 # The robot drives 50 cm towards a wall. Four cells are

@@ -1,4 +1,4 @@
-# earns: p added instead of log odds
+# earns: p was added, not log odds
 # Fuse a list of readings
 #
 # Each reading is a probability: how likely this one

@@ -1,4 +1,4 @@
-# earns: p added to 0.5 instead of log odds
+# earns: p was added to 0.5, not log odds
 # Fuse a list of readings
 #
 # Each reading is a probability: how likely this one

@@ -1,4 +1,4 @@
-# earns: the probabilities look multiplied
+# earns: the probabilities were multiplied
 # Fuse a list of readings
 #
 # Each reading is a probability: how likely this one

@@ -1,4 +1,4 @@
-# earns: the sign of l looks turned round
+# earns: the sign of l is turned round
 # From p to l and back
 #
 # In this program p climbs from 0.01 to 0.99. The chart

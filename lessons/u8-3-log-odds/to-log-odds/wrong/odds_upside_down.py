@@ -1,4 +1,4 @@
-# earns: the odds look upside down
+# earns: the odds are upside down
 # From p to l and back
 #
 # In this program p climbs from 0.01 to 0.99. The chart
