@@ -2,12 +2,6 @@
  * The program's editor: CodeMirror put together from its parts, behind the few things a lab asks.
  * May import `ui` only; what it needs to know of the robot is handed in.
  */
-import {
-  autocompletion,
-  closeBrackets,
-  closeBracketsKeymap,
-  completionKeymap,
-} from "@codemirror/autocomplete";
 import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirror/commands";
 import { python } from "@codemirror/lang-python";
 import { bracketMatching, ensureSyntaxTree, indentOnInput, indentUnit } from "@codemirror/language";
@@ -34,6 +28,7 @@ import { robotCalls } from "./robot-calls.ts";
 import { sliders } from "./sliders.ts";
 import { syntaxProblems } from "./syntax.ts";
 import { theme } from "./theme.ts";
+import { typing } from "./typing.ts";
 import "./unmeasured.css";
 
 export interface EditorOptions {
@@ -168,12 +163,11 @@ function extensions(options: EditorOptions): Extension {
     EditorState.tabSize.of(4),
     indentOnInput(),
     bracketMatching(),
-    closeBrackets(),
     highlightSelectionMatches(),
     search({ top: true }),
     python(),
     argumentHelp(options.calls),
-    autocompletion(),
+    typing,
     robotCalls(options.calls),
     syntaxProblems,
     lineMarks,
@@ -181,14 +175,7 @@ function extensions(options: EditorOptions): Extension {
     sliders,
     movingNumbers,
     theme,
-    keymap.of([
-      ...closeBracketsKeymap,
-      ...defaultKeymap,
-      ...searchKeymap,
-      ...historyKeymap,
-      ...completionKeymap,
-      ...lintKeymap,
-    ]),
+    keymap.of([...defaultKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap]),
     leaveWithEscape,
     EditorView.contentAttributes.of({
       "aria-label": editorWords.name,
