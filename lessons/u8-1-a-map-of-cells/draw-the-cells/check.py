@@ -50,15 +50,28 @@ def as_planned():
     return [(t, 100 + radius * (1 - cos(a)), 100 + radius * sin(a), 0) for t, a in angles]
 
 
-SLIPS = [
+def moved(run, dx, dy):
+    """The path with the way from the start taken otherwise: `dx` and `dy` times."""
+    x0, y0 = run.start.x, run.start.y
+    return [(t, x0 + dx * (x - x0), y0 + dy * (y - y0), h) for t, x, y, h in run.path]
+
+
+MISTAKES = [
     (
-        "show draws nothing yet: middles is still empty at the end",
+        "nothing is drawn: show has to collect the middles of all places in visited that are True, "
+        "and mark has to set them",
         lambda run: not drawn(run),
         2,
     ),
     (
-        "only the cell the robot is in now is drawn: earlier ones must stay marked",
-        lambda run: drawn(run) == {middle(*cell(*run.path[-1][1:3]))},
+        "only one cell is drawn: mark has to ask position() each time, and cells that were marked "
+        "before must stay marked",
+        lambda run: len(drawn(run)) == 1,
+        0,
+    ),
+    (
+        "every cell is drawn: pick those whose place in visited is True",
+        lambda run: len(drawn(run)) == 1600,
         0,
     ),
     (
@@ -68,17 +81,33 @@ SLIPS = [
         1,
     ),
     (
+        "position() was subtracted: add it to START",
+        lambda run: looks_like(run, moved(run, -1, -1)),
+        1,
+    ),
+    (
         "drawn at the lower left corner of each cell: squares are placed by their middle",
         lambda run: looks_like(run, run.path, lambda column, row: (column * CELL, row * CELL)),
         2,
     ),
     (
-        "column and row look swapped: column is index % ACROSS, row is index // ACROSS",
+        "column and row are drawn, not in cm: multiply them by CELL",
+        lambda run: looks_like(run, run.path, lambda column, row: (column + 0.5, row + 0.5)),
+        2,
+    ),
+    (
+        "column and row are drawn, not in cm: the middle is at (column + 0.5) * CELL",
+        lambda run: looks_like(run, run.path, lambda column, row: (column, row)),
+        2,
+    ),
+    (
+        "x and y, or column and row, are the wrong way round: position() and index_of have x "
+        "first; column is index % ACROSS, row is index // ACROSS",
         lambda run: looks_like(run, run.path, lambda column, row: middle(row, column)),
         2,
     ),
     (
-        "that is where the robot should be if nothing stood in its way: ask position() instead",
+        "that is where the robot would be if nothing stood in its way: ask position() instead",
         lambda run: looks_like(run, as_planned()),
         0,
     ),
@@ -86,7 +115,7 @@ SLIPS = [
 
 
 def compare(task, world):
-    run = task.run(world, seed=1, seconds=60, mistakes=SLIPS)
+    run = task.run(world, seed=1, seconds=60, mistakes=MISTAKES)
     seconds = been_in(run.path)
     long_enough = [each for each in seconds if seconds[each] > 0.25]
     missing = [each for each in long_enough if middle(*each) not in drawn(run)]

@@ -1,4 +1,4 @@
-# earns: where the robot should be
+# earns: where the robot would be
 # Draw the cells
 #
 # Fill in mark and show, then press Run. Every

@@ -1,4 +1,4 @@
-# earns: show draws nothing
+# earns: nothing is drawn
 # Draw the cells
 #
 # Fill in mark and show, then press Run. Every

@@ -1,4 +1,4 @@
-# earns: only the cell the robot is in now
+# earns: only one cell is drawn
 # Draw the cells
 #
 # Fill in mark and show, then press Run. Every

@@ -1,4 +1,4 @@
-# earns: column and row look swapped
+# earns: are the wrong way round
 # Draw the cells
 #
 # Fill in mark and show, then press Run. Every

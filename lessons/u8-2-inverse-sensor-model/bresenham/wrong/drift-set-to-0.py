@@ -1,0 +1,44 @@
+# earns: set to 0
+# Bresenham's line
+#
+# Write line_of_cells, then press Run. Every
+# line should come out without a gap.
+
+from bugbot import *
+
+CELL = 5  # cm per cell
+
+
+def line_of_cells(first, last):
+    """The cells of a line, ends included."""
+    column, row = first
+    cells = [(column, row)]
+    wide, high = abs(last[0] - column), abs(last[1] - row)
+    right = 1 if last[0] > column else -1
+    up = 1 if last[1] > row else -1
+    longer, shorter = max(wide, high), min(wide, high)
+    drift = 0
+    for step in range(longer):
+        drift += 2 * shorter
+        sideways = drift > longer
+        if sideways:
+            drift = 0
+        if wide >= high or sideways:
+            column += right
+        if wide < high or sideways:
+            row += up
+        cells.append((column, row))
+    return cells
+
+
+# From here on the program only shows what line_of_cells does.
+MIDDLE = (20, 20)
+LASTS = [(33, 24), (25, 37), (14, 33), (5, 26), (3, 11), (17, 1), (27, 9), (36, 13), (20, 38)]
+
+drawn = []
+for last in LASTS:
+    cells = line_of_cells(MIDDLE, last)
+    drawn += [((column + 0.5) * CELL, (row + 0.5) * CELL) for column, row in cells]
+    draw("lines", drawn, "#9ecae1", "squares", CELL)
+    print(f"from {MIDDLE} to {last}: {len(cells)} cells")
+    wait(0.5)
