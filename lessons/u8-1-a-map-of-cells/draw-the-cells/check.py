@@ -58,7 +58,7 @@ def moved(run, dx, dy):
 
 MISTAKES = [
     (
-        "nothing is drawn: show has to collect the middles of all places in visited that are True, "
+        "nothing is drawn: show has to collect the middles of all cells that are True in visited, "
         "and mark has to set them",
         lambda run: not drawn(run),
         2,
@@ -70,7 +70,7 @@ MISTAKES = [
         0,
     ),
     (
-        "every cell is drawn: pick those whose place in visited is True",
+        "every cell is drawn: pick those whose value in visited is True",
         lambda run: len(drawn(run)) == 1600,
         0,
     ),

@@ -30,7 +30,7 @@ def show():
 
 # This one is for you to use.
 def index_of(x, y):
-    """A point's place in the list, or None."""
+    """A point's index in the list, or None."""
     column = math.floor(x / CELL)
     row = math.floor(y / CELL)
     if 0 <= column < ACROSS and 0 <= row < ACROSS:

@@ -1,6 +1,6 @@
 # A reading of nothing
 #
-# Mend beam_says, then press Run. The black
+# Fix beam_says, then press Run. The black
 # bow across the bare mat should be gone.
 
 from bugbot import *

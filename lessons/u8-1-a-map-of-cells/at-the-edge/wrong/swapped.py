@@ -18,7 +18,7 @@ def cell_of(x, y):
 
 
 def index_of(x, y):
-    """A point's place in the list, or None."""
+    """A point's index in the list, or None."""
     column, row = cell_of(x, y)
     if 0 <= column < ACROSS and 0 <= row < ACROSS:
         index = column * ACROSS + row
@@ -38,7 +38,7 @@ for x, y in POINTS:
     if index is not None and -len(grid) <= index < len(grid):
         grid[index] = "marked"
     elif index is not None:
-        print(f"  there is no place {index} in the list")
+        print(f"  the list has no index {index}")
     wait(0.5)
     marked = [i for i in range(len(grid)) if grid[i] == "marked"]
     middles = [((i % ACROSS + 0.5) * CELL, (i // ACROSS + 0.5) * CELL) for i in marked]

@@ -25,7 +25,8 @@ def cells_passed(x, y, angle, reading):
 grid = np.zeros((ACROSS, ACROSS), dtype=int)
 for look in range(9):
     for angle, reading in scan():
-        columns, rows = cells_passed(*START, heading() + angle, reading).T
+        cells = cells_passed(*START, heading() + angle, reading)
+        columns, rows = np.array(cells, dtype=int).reshape(-1, 2).T
         np.add.at(grid, (rows, columns), 1)
     rows, columns = np.nonzero(grid)
     middles = (np.column_stack([columns, rows]) + 0.5) * CELL

@@ -1,7 +1,7 @@
 # earns: taken for a wall
 # A reading of nothing
 #
-# Mend beam_says, then press Run. The black
+# Fix beam_says, then press Run. The black
 # bow across the bare mat should be gone.
 
 from bugbot import *
@@ -55,9 +55,9 @@ turn(-45)  # to face straight up the mat
 for look in range(7):
     for angle, reading in scan():
         free, hit = beam_says(*START, heading() + angle, reading)
-        all_free.update(free)
+        all_free.update(tuple(cell) for cell in free)
         if hit is not None:
-            all_hit.add(hit)
+            all_hit.add(tuple(hit))
     show("free", all_free, "#9ecae1")
     show("hit", all_hit, "black")
     wait(0.5)

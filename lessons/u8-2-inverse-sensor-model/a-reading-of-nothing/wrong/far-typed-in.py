@@ -1,7 +1,7 @@
 # earns: 170 is typed in
 # A reading of nothing
 #
-# Mend beam_says, then press Run. The black
+# Fix beam_says, then press Run. The black
 # bow across the bare mat should be gone.
 
 from bugbot import *

@@ -1,7 +1,7 @@
 # earns: free right up to the hit
 # A reading of nothing
 #
-# Mend beam_says, then press Run. The black
+# Fix beam_says, then press Run. The black
 # bow across the bare mat should be gone.
 
 from bugbot import *

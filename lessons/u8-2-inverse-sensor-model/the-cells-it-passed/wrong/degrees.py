@@ -49,4 +49,4 @@ for column, row in cells:
     draw("passed", middles, "#9ecae1", "squares", CELL)
     wait(0.05)
 draw("beam", [START, end_of_beam(*START, heading() + angle, reading)], "red", "line", 0.7)
-print(f"reading: {reading:.1f} cm, different cells passed: {len(set(cells))}")
+print(f"reading: {reading:.1f} cm, different cells passed: {len(set(middles))}")

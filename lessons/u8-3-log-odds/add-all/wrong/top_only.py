@@ -28,7 +28,7 @@ rows = [step // 2 for step in range(40)]
 columns = [20] * 40
 grid = np.zeros((40, 40))
 for beam in range(12):
-    grid = add_all(grid, rows, columns, -0.4, 8)
+    grid = np.array(add_all(grid, rows, columns, -0.4, 8))
     plot("one cell of the beam", grid[10, 20])
     found = np.argwhere(grid < -1)  # pairs (row, column)
     draw("free", (found[:, ::-1] + 0.5) * 5, "#9ecae1", "squares", 5)
