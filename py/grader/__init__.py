@@ -11,6 +11,8 @@ them:
     near           … numbers within so much
     in_any_order   … lists whose order does not matter
     scoring        what a run of task.trials is worth
+    mistake        a likely mistake, with what must stand in the program for it to be told:
+                   calls, reads, operator, number, lacks
 
 How marking works. A learner's program is never run in the interpreter that judges it:
 
@@ -24,9 +26,11 @@ How marking works. A learner's program is never run in the interpreter that judg
 
     task.py       what a check is handed: call, set, variable, run, expect, near
     declare.py    a check.py's checks, and the functions it declares
-    calls.py      what a check asks of the learner's functions
+    asking.py     what a check asks of the learner's functions
     functions.py  judges the answers
-    slips.py      which slip explains wrong ones
+    slips.py      which mistake explains wrong ones
+    text.py       what stands in the program, which a cause must not contradict
+    constants.py  the program with other constants
     places.py     where on the mat an answer is wrong
     compare.py    exactly, near, in_any_order
     values.py     answers as JSON, by exact type; and as a message shows them
@@ -51,6 +55,20 @@ How marking works. A learner's program is never run in the interpreter that judg
 """
 
 from grader.compare import exactly, in_any_order, near
-from grader.declare import check, function, scoring
+from grader.declare import check, function, mistake, scoring
+from grader.text import calls, lacks, number, operator, reads
 
-__all__ = ["check", "exactly", "function", "in_any_order", "near", "scoring"]
+__all__ = [
+    "calls",
+    "check",
+    "exactly",
+    "function",
+    "in_any_order",
+    "lacks",
+    "mistake",
+    "near",
+    "number",
+    "operator",
+    "reads",
+    "scoring",
+]

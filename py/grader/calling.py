@@ -13,7 +13,8 @@ An answer is one of
     {"parameters": "(x)"}  it can't be called with so many arguments
     {"skipped": true}      an earlier call never came back
 
-A value comes with "printed": true if the call has printed something.
+A value comes with "printed": true if the call has printed something, and with "returned" if a
+function that was to change an argument has returned something as well.
 """
 
 from __future__ import annotations
@@ -72,9 +73,6 @@ class Caller:
 
     def _answer(self, call: dict[str, Any], module: ModuleType) -> dict[str, Any]:
         names = vars(module)
-        if "set" in call:
-            names[call["set"]] = decoded(call["value"])
-            return {"value": None}
         if "variable" in call:
             name = call["variable"]
             if name not in names:
@@ -105,9 +103,9 @@ class Caller:
     ) -> dict[str, Any]:
         before = self._printed()
         try:
-            # The value is taken apart in time as well: its classes may be the program's own.
-            value = self.patient(
-                lambda: encoded(_changed(function(*arguments), arguments, changes)), CALL_S
+            # The values are taken apart in time as well: their classes may be the program's own.
+            answer: dict[str, Any] = self.patient(
+                lambda: _answer_of(function(*arguments), arguments, changes), CALL_S
             )
         except (LimitReached, KeyboardInterrupt):
             raise
@@ -124,7 +122,6 @@ class Caller:
                     "hint": fault.hint,
                 }
             }
-        answer = {"value": value}
         if self._printed() != before:
             answer["printed"] = True
         return answer
@@ -159,8 +156,11 @@ class Caller:
         return self._on_line
 
 
-def _changed(returned: Any, arguments: list[Any], changes: int | None) -> Any:
-    return returned if changes is None else arguments[changes]
+def _answer_of(returned: Any, arguments: list[Any], changes: int | None) -> dict[str, Any]:
+    if changes is None:
+        return {"value": encoded(returned)}
+    answer = {"value": encoded(arguments[changes])}
+    return answer if returned is None else {**answer, "returned": encoded(returned)}
 
 
 def _refused_parameters(function: Callable[..., Any], arguments: list[Any]) -> str | None:

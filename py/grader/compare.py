@@ -26,7 +26,7 @@ _Numbers = Callable[[float, float], bool]
 
 
 def exactly(expected: Any, got: Any) -> bool:
-    """The same value; whole numbers are no floats, and floats may differ in their last digits.
+    """The same value; a float is no whole number, and floats may differ in their last digits.
 
     >>> exactly((2, 1), [2, 1]), exactly(2, 2.0), exactly(0.3, 0.1 + 0.2)
     (True, False, True)
@@ -35,8 +35,8 @@ def exactly(expected: Any, got: Any) -> bool:
 
 
 def _alike(expected: float, got: float) -> bool:
-    if isinstance(expected, int) or isinstance(got, int):
-        return type(expected) is type(got) and expected == got
+    if isinstance(expected, int):
+        return isinstance(got, int) and expected == got
     return isclose(expected, got, rel_tol=1e-9, abs_tol=1e-9) or (isnan(expected) and isnan(got))
 
 
@@ -124,13 +124,25 @@ _LONG = 8
 
 
 def difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
-    """What was expected and what was got, in words; of long rows, where they part.
+    """What was expected and what was got, in words that differ; of long rows, where they part.
 
     >>> difference(exactly, list(range(20)), [*range(19), 7])
     ('item 19 (counted from 0) is 19', 'it is 7')
     """
+    right, wrong = _difference(compare, expected, got)
+    if right != wrong:
+        return right, wrong
+    return f"{right} ({_exact(expected)})", f"{wrong} ({_exact(got)})"
+
+
+def _difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
+    if isinstance(expected, set | frozenset) and isinstance(got, set | frozenset):
+        if max(len(expected), len(got)) > _LONG or shown(expected) == shown(got):
+            return _what_is_missing(sorted(expected, key=shown), sorted(got, key=shown))
+        return shown(expected), shown(got)
     both_rows = all(isinstance(each, list | tuple) for each in (expected, got))
-    if not both_rows or max(len(expected), len(got)) <= _LONG:
+    same = shown(expected) == shown(got)
+    if not both_rows or (max(len(expected), len(got)) <= _LONG and not same):
         return shown(expected), shown(got)
     if isinstance(compare, _InAnyOrder):
         return _what_is_missing(expected, got)
@@ -138,8 +150,19 @@ def difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
         return f"{len(expected)} items: {shown(expected)}", f"{len(got)} items: {shown(got)}"
     for index, (right, wrong) in enumerate(zip(expected, got, strict=True)):
         if not compare(right, wrong):
-            return f"item {index} (counted from 0) is {shown(right)}", f"it is {shown(wrong)}"
+            is_, it_is = difference(compare, right, wrong)
+            return f"item {index} (counted from 0) is {is_}", f"it is {it_is}"
     return shown(expected), shown(got)
+
+
+_LONGEST_EXACT = 60
+
+
+def _exact(value: Any) -> str:
+    """A value with its type and all its digits, for two that look alike."""
+    text = repr(value)
+    cut = text if len(text) <= _LONGEST_EXACT else f"{text[: _LONGEST_EXACT - 1]}…"
+    return f"the {type(value).__name__} {cut}"
 
 
 def _what_is_missing(expected: Any, got: Any) -> tuple[str, str]:

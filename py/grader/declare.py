@@ -1,17 +1,19 @@
 """What a check.py says at its top level: its checks and the functions it judges.
 
-May import: the standard library, `grader.compare`, `grader.failures`.
+May import: the standard library, `grader.compare`, `grader.failures`, `grader.text`.
 """
 
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from grader.compare import Compare, exactly
 from grader.failures import AuthorError
+from grader.text import Condition, Text, calls
 
 __all__ = [
     "Check",
@@ -21,6 +23,7 @@ __all__ = [
     "check",
     "checks_of",
     "function",
+    "mistake",
     "mistakes_of",
     "scoring",
 ]
@@ -28,11 +31,41 @@ __all__ = [
 
 @dataclass(frozen=True, slots=True)
 class Mistake:
-    """A likely slip: what the learner is told, what shows it, the hint that helps."""
+    """A likely mistake: what the learner is told, what shows it, the hint that helps."""
 
     text: str
     slip: Callable[..., Any]
     hint: int | None = None
+    where: tuple[Condition, ...] = ()
+
+    def can_be(self, text: Text) -> bool:
+        """Whether the program, as it is written, allows this cause."""
+        named = _NAMED_CALL.match(self.text)
+        stated = (calls(named[1]),) if named and not self.where else self.where
+        return all(condition(text) for condition in stated)
+
+
+_NAMED_CALL = re.compile(r"(\w+)\(\) ")
+"""A cause that begins with "int() cuts …" says that the program calls int()."""
+
+
+def mistake(
+    text: str,
+    slip: Callable[..., Any],
+    hint: int | None = None,
+    *,
+    where: Condition | Sequence[Condition] = (),
+) -> Mistake:
+    """Declare a likely mistake.
+
+    text   what the learner is told
+    slip   a function that answers as the mistake would; of runs: run -> whether it looks like it
+    hint   number of the task's hint that helps (0 is the first)
+    where  what must stand in the learner's function, and in what it calls, for the cause to be
+           told: calls("int"), operator("<"), reads("CELL"), number(8), lacks(…)
+    """
+    conditions = (where,) if callable(where) else tuple(where)
+    return Mistake(text, slip, hint, conditions)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,7 +141,7 @@ def function(
     reference: Callable[..., Any],
     *,
     compare: Compare = exactly,
-    mistakes: Sequence[tuple[Any, ...]] = (),
+    mistakes: Sequence[Mistake | tuple[Any, ...]] = (),
     changes: str | None = None,
     cell_cm: float | None = None,
     grid_cm: float | None = None,
@@ -147,9 +180,11 @@ def scoring(how: str, points: Callable[..., float], *, of: float = 100) -> Scori
     return Scoring(how, points, of)
 
 
-def mistakes_of(mistakes: Sequence[tuple[Any, ...]], call: str) -> tuple[Mistake, ...]:
+def mistakes_of(mistakes: Sequence[Mistake | tuple[Any, ...]], call: str) -> tuple[Mistake, ...]:
     """The slips as they are written in a check.py, checked."""
     for each in mistakes:
+        if isinstance(each, Mistake):
+            continue
         sound = (
             isinstance(each, tuple)
             and len(each) in (2, 3)
@@ -162,7 +197,7 @@ def mistakes_of(mistakes: Sequence[tuple[Any, ...]], call: str) -> tuple[Mistake
                 f"{call} wants each of its mistakes as (what the learner is told, a function), "
                 f"with the number of a hint after them if need be; it got {each!r}"
             )
-    return tuple(Mistake(*each) for each in mistakes)
+    return tuple(each if isinstance(each, Mistake) else Mistake(*each) for each in mistakes)
 
 
 def _parsed(signature: str) -> tuple[str, tuple[str, ...]]:

@@ -5,15 +5,17 @@ May import: the standard library, the rest of `grader`.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from grader.calls import NOT_SAID, Answered, Call, Look, Step
+from grader.asking import NOT_SAID, Answered, Call, Look, Step
 from grader.compare import difference
 from grader.declare import Function
 from grader.failures import CheckFailed, ProgramFailed
 from grader.places import cells_in, grid_difference, where_cells
-from grader.slips import explaining, usual_slip
+from grader.slips import Wrong, explaining, usual_slip
+from grader.text import Text
 from grader.values import MalformedError, decoded, shown
 
 __all__ = ["fault_text", "judge_steps"]
@@ -23,7 +25,18 @@ def fault_text(fault: dict[str, Any]) -> str:
     """A fault in one line: NameError on line 4: name 'flor' is not defined."""
     line = fault.get("line")
     where = "" if not isinstance(line, int) else f" on line {line}"
-    return f"{fault.get('type')}{where}: {fault.get('message')}"[:600]
+    version = ""
+    if fault.get("type") == "SyntaxError" and sys.version_info < _PAGE:
+        version = f" (Python {_dotted(sys.version_info)} marks this; the page has {_dotted(_PAGE)})"
+    return f"{fault.get('type')}{where}: {fault.get('message')}"[:600] + version
+
+
+_PAGE = (3, 14)
+"""The version of Python in the page, which may read what an older one can't."""
+
+
+def _dotted(version: Sequence[Any]) -> str:
+    return f"{version[0]}.{version[1]}"
 
 
 def judge_steps(
@@ -31,6 +44,7 @@ def judge_steps(
     answers: Sequence[dict[str, Any]],
     others: Iterable[Answered],
     world: dict[str, Any],
+    program: str,
 ) -> None:
     """Hold each answer against what is right; CheckFailed for the first that is not.
 
@@ -39,12 +53,7 @@ def judge_steps(
     known = list(others)
     for step, answer in zip(steps, answers, strict=False):
         if isinstance(step, Call):
-            own = [
-                (each, reply)
-                for each, reply in zip(steps, answers, strict=False)
-                if isinstance(each, Call) and each.function is step.function
-            ]
-            _judge_call(step, answer, own, known, world)
+            _judge_call(step, answer, known, world, program)
         elif isinstance(step, Look):
             _judge_look(step, answer)
 
@@ -52,15 +61,16 @@ def judge_steps(
 def _judge_call(
     call: Call,
     answer: dict[str, Any],
-    own: Sequence[Answered],
     known: Sequence[Answered],
     world: dict[str, Any],
+    program: str,
 ) -> None:
     right = call.expected()
     _refuse_what_is_no_answer(call, answer)
     every = [pair for pair in known if pair[0].function is call.function]
+    text = Text(program, call.function.name)
     if "fault" in answer:
-        mistake = explaining(call.function.mistakes, every, own)
+        mistake = explaining(call.function.mistakes, every, text)
         fault = answer["fault"]
         raise CheckFailed(
             f"{call} {call.verb} {shown(right)}",
@@ -72,11 +82,12 @@ def _judge_call(
     if call.function.compare(right, value):
         return
     expected, got, cells = _apart(call.function, right, value)
-    mistake = explaining(call.function.mistakes, every, own)
+    mistake = explaining(call.function.mistakes, every, text)
+    wrong = Wrong(call, answer, right, value, every, text)
     raise CheckFailed(
         f"{call} {call.verb} {expected}",
-        got,
-        likely=mistake.text if mistake else usual_slip(call, right, value, answer, every),
+        "it returned None" if value is None and call.function.changes is None else got,
+        likely=mistake.text if mistake else usual_slip(wrong),
         hint=mistake.hint if mistake else None,
         where=where_cells(call.function, cells, world),
     )

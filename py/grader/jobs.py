@@ -1,10 +1,11 @@
 """The work that a judge asks for, and what comes back: plain JSON both ways.
 
 May import: the standard library, `bugbot.worlds`, `bugbot.errors`, `grader.failures`,
-`grader.limits`.
+`grader.limits`, `grader.values`.
 
     job      {"id", "kind": "run", "world": {…}, "seed", "limits": {…}}
-             {"id", "kind": "calls", "groups": [{"world", "seed", "calls": […]}, …], "limits"}
+             {"id", "kind": "calls", "limits",
+              "groups": [{"world", "seed", "constants": {name: value}, "calls": […]}, …]}
     result   {"id", "trace": {"events", "points"} | null, "outcome" | null,
               "answers": [[answer, …] or …] | null, "died": null | "time" | "crash" | text}
 
@@ -25,6 +26,7 @@ from bugbot import worlds
 from bugbot.errors import WorldError, got, nearest
 from grader.failures import AuthorError, NeedsJob
 from grader.limits import CALLS_LIMITS, RUN_LIMITS
+from grader.values import encoded
 
 __all__ = ["Desk", "Group", "died_of"]
 
@@ -35,11 +37,19 @@ class Group:
 
     world: dict[str, Any]
     seed: int
+    constants: dict[str, Any] = field(default_factory=dict)
+    """Changed in the program's text before it runs."""
     calls: list[dict[str, Any]] = field(default_factory=list)
 
     def to_json(self) -> dict[str, Any]:
         """As a job holds it."""
-        return {"world": self.world, "seed": self.seed, "calls": self.calls}
+        constants = {name: encoded(value) for name, value in self.constants.items()}
+        return {
+            "world": self.world,
+            "seed": self.seed,
+            "constants": constants,
+            "calls": self.calls,
+        }
 
     @property
     def id(self) -> str:
@@ -53,10 +63,14 @@ class Desk:
     lesson   {"slug": …, "worlds": {name: world}}: the lesson's own worlds
     results  of the jobs done so far
     shift    added to every seed: the standing check marks solutions on other noise
+    program  the learner's, for causes that its text may contradict
     """
 
-    def __init__(self, lesson: dict[str, Any], results: list[Any], shift: int = 0) -> None:
+    def __init__(
+        self, lesson: dict[str, Any], results: list[Any], shift: int = 0, program: str = ""
+    ) -> None:
         self.shift = shift
+        self.program = program
         self._own_worlds: dict[str, Any] = lesson.get("worlds") or {}
         self._results = {str(each.get("id")): each for each in results if isinstance(each, dict)}
         self._jobs: dict[str, dict[str, Any]] = {}

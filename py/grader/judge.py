@@ -62,7 +62,7 @@ def step(
         entries = [failed_entry(checks[0].title, trouble, checks[0].hint)]
         entries += [entry(each.title, NOT_RUN) for each in checks[1:]]
         return {"mark": mark_of(slug, task, entries)}
-    desk = Desk(lesson, results, shift)
+    desk = Desk(lesson, results, shift, program)
     try:
         states = [_begin(each, desk) for each in checks]
         jobs = desk.wanted()

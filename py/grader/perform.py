@@ -1,7 +1,7 @@
 """Does one job in an interpreter of its own: runs the learner's program, calls its functions.
 
-May import: the standard library, `bugbot`, `grader.calling`, `grader.fence`, `grader.limits`,
-`grader.refusal`.
+May import: the standard library, `bugbot`, `grader.calling`, `grader.constants`, `grader.fence`,
+`grader.limits`, `grader.refusal`, `grader.values`.
 
 Nothing that would tell what is right is here: what comes back is what the program did and
 answered, and whether that is right is judged elsewhere. The interpreter is ended afterwards
@@ -19,9 +19,11 @@ from bugbot.run.limits import Limits
 from bugbot.run.program import run_program
 from bugbot.trace import Trace
 from grader.calling import Caller
+from grader.constants import with_constants
 from grader.fence import fenced
 from grader.limits import PROGRAM_S
 from grader.refusal import refusal
+from grader.values import decoded
 
 __all__ = ["PROGRAM", "perform"]
 
@@ -91,10 +93,12 @@ def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
         if late >= _MOST_LATE:
             answers.append({"skipped": True})
             continue
-        caller = Caller(group["calls"], program, PROGRAM)
+        constants = {name: decoded(value) for name, value in group["constants"].items()}
+        changed = with_constants(program, constants)
+        caller = Caller(group["calls"], changed, PROGRAM)
         run = partial(
             run_program,
-            program,
+            changed,
             group["world"],
             group["seed"],
             limits=_limits(job),

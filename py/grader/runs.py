@@ -26,6 +26,7 @@ from grader.jobs import died_of
 from grader.lines import Line
 from grader.maps import Map, drawn_map, reference_map
 from grader.scans import Scan, SeenAs, evidence_at, mapper_of, scans_of, touched
+from grader.text import Text
 from grader.traces import trace_from
 from grader.trust import doubt
 from grader.values import MalformedError
@@ -101,10 +102,11 @@ class Run:
             return cls(job, None, broken_off(job, "a run of the robot", words))
         return cls(job, trace, ending_of(job, trace))
 
-    def with_mistakes(self, mistakes: tuple[Mistake, ...]) -> Run:
-        """The same run, looked at by a check that knows these slips."""
+    def with_mistakes(self, mistakes: tuple[Mistake, ...], program: str = "") -> Run:
+        """The same run, looked at by a check that knows these mistakes and the program's text."""
         run = copy(self)
-        run._mistakes = mistakes
+        text = Text(program)
+        run._mistakes = tuple(each for each in mistakes if each.can_be(text))
         run._maps = []
         return run
 
@@ -153,8 +155,12 @@ class Run:
         return self.explained(failure)
 
     def explained(self, failure: CheckFailed) -> CheckFailed:
-        """The failure with the slip that the run looks like, unless it has a cause already."""
-        mistake = self._mistake() if failure.likely is None and self._trace else None
+        """The failure with the mistake that the run looks like, unless it has a cause already.
+
+        A run that broke off is explained by what broke it off, and by nothing else.
+        """
+        looks = failure.likely is None and self.ending.kind == "finished"
+        mistake = self._mistake() if looks else None
         if mistake is None:
             return failure
         hint = failure.hint if mistake.hint is None else mistake.hint

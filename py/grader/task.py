@@ -9,9 +9,9 @@ from collections.abc import Iterable, Sequence
 from random import Random
 from typing import Any
 
-from grader.calls import NOT_SAID, Answered, Call, Look, Set, Step
+from grader.asking import NOT_SAID, Answered, Call, Look, Step
 from grader.compare import Compare, exactly
-from grader.declare import Check, Function, Scoring, mistakes_of
+from grader.declare import Check, Function, Mistake, Scoring, mistakes_of
 from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramFailed
 from grader.functions import fault_text, judge_steps
 from grader.jobs import Desk, Group
@@ -34,6 +34,8 @@ class Task:
         self.random = Random(f"{check.title}:{desk.shift}")
         self._desk = desk
         self._plans: list[tuple[Group, list[Step]]] = []
+        self._constants: dict[str, Any] = {}
+        self._program = desk.program
         self._runs: list[Run] = []
         self.trials_made: list[Trial] = []
 
@@ -61,11 +63,12 @@ class Task:
             raise AuthorError(
                 f"{function.signature} takes {most}; task.call gives it {len(arguments)}"
             )
-        self._add(Call(function, arguments, gives), world, seed)
+        constants = tuple(self._constants.items())
+        self._add(Call(function, arguments, gives, constants), world, seed)
 
-    def set(self, name: str, value: Any, world: str = _NO_WORLD, seed: int = 1) -> None:
-        """Set a variable of the learner's program for the calls after this."""
-        self._add(Set(name, value), world, seed)
+    def set(self, name: str, value: Any) -> None:
+        """Run the program anew, with another value in its `name = …`, for the calls after this."""
+        self._constants = {**self._constants, name: value}
 
     def variable(
         self,
@@ -81,11 +84,17 @@ class Task:
     def _add(self, step: Step, world: str, seed: int) -> None:
         data = self._desk.world(world)
         at = seed + self._desk.shift
+        wanted = (data, at, self._constants)
         plan = next(
-            (each for each in self._plans if each[0].world == data and each[0].seed == at), None
+            (
+                each
+                for each in self._plans
+                if (each[0].world, each[0].seed, each[0].constants) == wanted
+            ),
+            None,
         )
         if plan is None:
-            plan = (Group(data, at), [])
+            plan = (Group(data, at, self._constants), [])
             self._plans.append(plan)
         plan[0].calls.append(step.request())
         plan[1].append(step)
@@ -97,7 +106,7 @@ class Task:
         world: str,
         seed: int = 1,
         seconds: float = 120.0,
-        mistakes: Sequence[tuple[Any, ...]] = (),
+        mistakes: Sequence[Mistake | tuple[Any, ...]] = (),
     ) -> Run:
         """Run the learner's program, which must end by itself and without a fault.
 
@@ -106,7 +115,8 @@ class Task:
         seconds   simulated seconds that it may take
         mistakes  likely slips: (what the learner is told, run -> whether it looks like it[, hint])
         """
-        run = self._run(world, seed, seconds).with_mistakes(mistakes_of(mistakes, "task.run(…)"))
+        slips = mistakes_of(mistakes, "task.run(…)")
+        run = self._run(world, seed, seconds).with_mistakes(slips, self._program)
         self._runs.append(run)
         run.must_have_ended()
         return run
@@ -116,7 +126,7 @@ class Task:
         world: str,
         seeds: Sequence[int],
         seconds: float = 120.0,
-        mistakes: Sequence[tuple[Any, ...]] = (),
+        mistakes: Sequence[Mistake | tuple[Any, ...]] = (),
         scored: Scoring | None = None,
         free: str = "free",
         occupied: str = "occupied",
@@ -135,7 +145,8 @@ class Task:
         wanting = 0
         for seed in seeds:
             try:
-                runs.append(self._run(world, seed, seconds).with_mistakes(slips))
+                run = self._run(world, seed, seconds)
+                runs.append(run.with_mistakes(slips, self._program))
             except NeedsJob:  # the others are asked for as well: they can be made side by side
                 wanting += 1
         if wanting:
@@ -216,10 +227,10 @@ class Task:
         for group, steps in self._plans:
             reply, died = self._desk.answers(group)
             answers = _answers_in(reply)
-            judge_steps(steps, answers, others, group.world)
+            judge_steps(steps, answers, others, group.world, self._program)
             if died is not None:
                 raise ProgramFailed("a program whose functions can be called", died)
-            if len(answers) < len(steps):
+            if len(answers) < len(steps) or _fault_in(reply) is not None:
                 raise _cut_short(reply, group, len(answers))
         for run in self._runs:
             run.must_have_seen_its_maps()
@@ -232,12 +243,26 @@ def _answers_in(reply: Any) -> list[dict[str, Any]]:
     answers = reply.get("answers") if isinstance(reply, dict) else None
     if not isinstance(answers, list):
         return []
+    fault = _fault_in(reply)
     sound = []
     for each in answers:
         if not isinstance(each, dict) or each.get("skipped"):
             break
+        # A program that stopped half-way may not have come to what the function needs.
+        if fault is not None and ("missing" in each or _misses_a_name(each)):
+            break
         sound.append(each)
     return sound
+
+
+def _fault_in(reply: Any) -> dict[str, Any] | None:
+    fault = reply.get("fault") if isinstance(reply, dict) else None
+    return fault if isinstance(fault, dict) else None
+
+
+def _misses_a_name(answer: dict[str, Any]) -> bool:
+    fault = answer.get("fault")
+    return isinstance(fault, dict) and fault.get("type") == "NameError"
 
 
 def _cut_short(reply: Any, group: Group, answered: int) -> CheckFailed:
@@ -246,8 +271,8 @@ def _cut_short(reply: Any, group: Group, answered: int) -> CheckFailed:
         return ProgramFailed("answers from the program", "what came back from it was garbled")
     if reply.get("skipped"):
         raise NotRun
-    fault = reply.get("fault")
-    if isinstance(fault, dict):
+    fault = _fault_in(reply)
+    if fault is not None:
         return ProgramFailed(
             "a program that runs without an error", fault_text(fault), likely=fault.get("hint")
         )

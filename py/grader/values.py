@@ -11,6 +11,8 @@ float is written as text, because JavaScript on the way would make 2 of 2.0.
 from __future__ import annotations
 
 from collections import deque
+from decimal import Decimal
+from fractions import Fraction
 from math import isfinite
 from typing import Any
 
@@ -21,6 +23,10 @@ _DEEPEST = 12
 _LONGEST_TEXT = 100_000
 _EXACT = 2**53
 """Integers beyond this do not survive as JSON numbers."""
+
+
+_LONGEST_INT = 1000
+"""Bits: a longer whole number is described, not shown."""
 
 
 class MalformedError(Exception):
@@ -48,7 +54,7 @@ def encoded(value: object) -> Any:
     try:
         return _encode(value, 0, parts)
     except _TooMuchError:
-        return {"other": f"a {_kind(value)} of more than {_MOST_PARTS} parts, or {_DEEPEST} deep"}
+        return {"other": f"{_a(value)} of more than {_MOST_PARTS} parts, or {_DEEPEST} deep"}
 
 
 def _encode(value: Any, depth: int, parts: list[int]) -> Any:
@@ -62,9 +68,15 @@ def _encode(value: Any, depth: int, parts: list[int]) -> Any:
         return value[:_LONGEST_TEXT]
     if issubclass(kind, int):
         number = int.__add__(value, 0)
-        return number if -_EXACT < number < _EXACT else {"int": hex(number)[:5000]}
+        if number.bit_length() > _LONGEST_INT:
+            return {"other": f"a whole number of some {number.bit_length() * 3 // 10:,} digits"}
+        return number if -_EXACT < number < _EXACT else {"int": hex(number)}
     if issubclass(kind, float):
         return {"float": repr(float.__add__(value, 0.0))}
+    if kind is Fraction or kind is Decimal:
+        return _rational(value)
+    if kind is range:
+        return _encode(list(value[: _MOST_PARTS + 1]), depth, parts)
     if kind.__module__ == "numpy" and hasattr(value, "tolist"):
         return _encode(value.tolist(), depth, parts)
     if kind is list and value and all(type(each) is float for each in value):
@@ -84,11 +96,23 @@ def _encode(value: Any, depth: int, parts: list[int]) -> Any:
     if issubclass(kind, dict):
         pairs = dict.items(value)
         return {"dict": [[_encode(part, depth + 1, parts) for part in pair] for pair in pairs]}
-    return {"other": f"a {_kind(value)}"}
+    return {"other": _a(value)}
 
 
-def _kind(value: object) -> str:
-    return type(value).__name__[:60]
+def _rational(value: Fraction | Decimal) -> Any:
+    """A number by another name: whole if it is, else a float."""
+    if isinstance(value, Fraction) and value.denominator == 1:
+        return _encode(value.numerator, 0, [0])
+    try:
+        return {"float": repr(float(value))}
+    except (OverflowError, ValueError):
+        return {"other": _a(value)}
+
+
+def _a(value: object) -> str:
+    """The value's type with its article: a Cell, an Answer."""
+    name = type(value).__name__[:60]
+    return f"{'an' if name[:1] in 'AEIOUaeio' else 'a'} {name}"
 
 
 def decoded(data: Any) -> Any:
@@ -129,7 +153,12 @@ def _decode(data: Any) -> Any:
 
 
 def _frozen(value: Any) -> Any:
-    return frozenset(value) if isinstance(value, set) else value
+    """As a part of a set or a key of a dict: what can't be one becomes what can."""
+    if isinstance(value, set | frozenset):
+        return frozenset(map(_frozen, value))
+    if isinstance(value, list | tuple):
+        return tuple(map(_frozen, value))
+    return frozenset(map(_frozen, value.items())) if isinstance(value, dict) else value
 
 
 # -- in words ------------------------------------------------------------------

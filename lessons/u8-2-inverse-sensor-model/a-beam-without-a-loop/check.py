@@ -223,7 +223,7 @@ def beyond(task):
 
 @check("Cells of 10 cm, 20 across", hint=2)
 def another_size(task):
-    task.set("CELL", 10, world="wall-askew")
-    task.set("ACROSS", 20, world="wall-askew")
+    task.set("CELL", 10)
+    task.set("ACROSS", 20)
     task.call(CELLS_OF_10, 105, 45, 29, 83, world="wall-askew")
     task.call(CELLS_OF_10, 175, 185, 40, 60.7, world="wall-askew")

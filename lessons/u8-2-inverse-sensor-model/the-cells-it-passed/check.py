@@ -253,8 +253,8 @@ def beyond(task):
 
 @check("Cells of 10 cm", hint=2)
 def another_size(task):
-    task.set("CELL", 10, world="wall-askew")
-    task.set("ACROSS", 20, world="wall-askew")
+    task.set("CELL", 10)
+    task.set("ACROSS", 20)
     up = [(10, row) for row in range(4, 9)]
     task.call(CELLS_OF_10, 105, 45, 0, 53, gives=up, world="wall-askew")
     task.call(CELLS_OF_10, 105, 45, 29, 83, world="wall-askew")

@@ -52,8 +52,8 @@ def run_program(
     trace_ready  is handed the trace before the program starts
     on_stuck     called from another thread, with the trace at its end, if the program computes
                  past the limit and can't be interrupted; it should end the process
-    then         called with the program's module when the program has come to its end without
-                 an error, still as a part of the run
+    then         called with the program's module when the program has come to its end, or has
+                 stopped with an ordinary error, still as a part of the run
 
     The same arguments give the same trace. Whatever the program does wrong is in the trace
     (`fault` and `end` events), never raised. Raises WorldError for a world that is none, and
@@ -101,13 +101,17 @@ def _carry_out(
     source: str, module: ModuleType, filename: str, then: Callable[[ModuleType], None] | None
 ) -> BaseException | None:
     """Run the program in its module; what ended it, or None if it came to its end."""
+    failed: Exception | None = None
     try:
-        exec(compile(source, filename, "exec", dont_inherit=True), vars(module))
+        try:
+            exec(compile(source, filename, "exec", dont_inherit=True), vars(module))
+        except Exception as error:
+            failed = error
         if then is not None:
             then(module)
     except BaseException as error:
         return error
-    return None
+    return failed
 
 
 def _ending(error: BaseException | None, source: str, link: Link, meter: Meter) -> tuple[str, str]:

@@ -33,15 +33,190 @@ def test_a_slip_seen_only_at_the_edge_is_named_there() -> None:
     assert failed(mark)["hint"] == 2  # the check's own
 
 
-def test_a_slip_that_explains_one_check_is_named_if_none_explains_all() -> None:
+def test_a_cause_that_fits_only_some_of_the_calls_is_not_told() -> None:
     program = """
 def cell_of(x, y):
     return (int(y / 10), int(x / 10)) if x > 0 else (99, 99)
 """
     mark = marked(CELL, program)
     assert statuses(mark) == ["failed", "failed"]
-    assert mark["checks"][0]["likely"] == "row and column look swapped"
-    assert mark["checks"][1]["likely"] is None
+    assert [each["likely"] for each in mark["checks"]] == [None, None]
+
+
+def test_a_cause_that_the_programs_text_contradicts_is_not_told() -> None:
+    program = """
+import math
+def cell_of(x, y):
+    return towards_0(x / 10), towards_0(y / 10)
+def towards_0(value):
+    return math.floor(value) if value > 0 else math.ceil(value)
+"""
+    assert failed(marked(CELL, program))["likely"] is None
+    with_int = "def cell_of(x, y):\n    return int(x / 10), int(y / 10)\n"
+    assert failed(marked(CELL, with_int))["likely"] == "int() cuts towards 0"
+
+
+WHERE = """
+from grader import calls, check, function, lacks, mistake, number, operator, reads
+
+limit = function("inside(x)", lambda x: 0 <= x < 200, mistakes=[
+    mistake("the edge", lambda x: 0 < x < 200, where=CONDITION),
+])
+
+@check("Edges")
+def edges(task):
+    for x in (0, 1, 199, 200):
+        task.call(limit, x)
+"""
+
+
+@pytest.mark.parametrize(
+    ("condition", "told"),
+    [
+        ('operator("<")', True),
+        ('operator("<=")', False),
+        ('lacks(operator("<="))', True),
+        ('calls("around")', True),
+        ('calls("int")', False),
+        ('reads("x")', True),
+        ('reads("CELL")', False),
+        ("number(200)", True),
+        ("number(7)", False),
+        ('(operator("<"), number(7))', False),
+    ],
+)
+def test_a_check_can_state_what_must_stand_in_the_program(condition: str, told: bool) -> None:
+    program = """
+OTHER = 7 <= int(8)
+def around(x):
+    return x < 200
+def inside(x):
+    return 0 < x and around(x)
+"""
+    mark = failed(marked(WHERE.replace("CONDITION", condition), program))
+    assert mark["likely"] == ("the edge" if told else None)
+
+
+CONSTANT = """
+from grader import check, function
+centre = function("centre(column)", lambda column: (column + 0.5) * 10)
+centre_4 = function("centre(column)", lambda column: (column + 0.5) * 4)
+
+@check("Cells of 10 cm")
+def ten(task):
+    task.call(centre, 2, gives=25.0)
+
+@check("Cells of 4 cm")
+def four(task):
+    task.set("CELL", 4)
+    task.call(centre_4, 2, gives=10.0)
+"""
+
+
+@pytest.mark.parametrize(
+    ("start", "body"),
+    [
+        ("CELL = 10\nHALF = CELL / 2", "column * CELL + HALF"),
+        ("CELL, OTHER = 10, 3\nHALF = CELL / 2", "column * CELL + HALF"),
+        ("CELL: int = (\n    10\n)\nHALF = CELL / 2", "column * CELL + HALF"),
+        ("CELL = 10\nhalf = lambda size=CELL: size / 2", "column * CELL + half()"),
+        ("from fractions import Fraction\nCELL = 10", "Fraction(2 * column + 1, 2) * CELL"),
+    ],
+)
+def test_a_constant_is_changed_before_the_program_runs(start: str, body: str) -> None:
+    mark = marked(CONSTANT, f"{start}\ndef centre(column):\n    return {body}\n")
+    assert mark["passed"], mark
+
+
+def test_what_was_changed_is_told() -> None:
+    program = "CELL = 10\ndef centre(column):\n    return (column + 0.5) * 10\n"
+    assert failed(marked(CONSTANT, program))["expected"] == "with CELL = 4, centre(2) gives 10.0"
+
+
+@pytest.mark.parametrize(
+    ("body", "likely"),
+    [
+        ("print(x // 10, y // 10)", "it prints its answer"),
+        ("pass", "it returns None: a function hands back"),
+        ("return None if x > 0 else (0, 0)", None),
+    ],
+)
+def test_what_was_returned_is_told_though_the_given_code_breaks_on_it(
+    body: str, likely: str | None
+) -> None:
+    start = f"def cell_of(x, y):\n    {body}\n"
+    first = failed(marked(CELL, f"{start}\ncolumn, row = cell_of(32, 74)\nprint(column)\n"))
+    assert first["expected"] == "cell_of(32, 74) gives (3, 7)"
+    assert first["got"] == "it returned None"
+    assert (first["likely"] or "None").startswith(likely or "None")
+
+
+def test_a_program_that_breaks_though_its_function_is_right_fails_with_its_own_error() -> None:
+    first = failed(marked(CELL, f"{RIGHT}\nprint(undefined)\n"))
+    assert first["expected"] == "a program that runs without an error"
+    assert first["got"].startswith("NameError on line 5")
+
+
+@pytest.mark.parametrize(
+    ("body", "likely"),
+    [
+        ("return Cell()", "it is a Cell; the task asks for a tuple of 2, such as (3, 7)"),
+        ("return {x // 10, y // 10}", "it is a set, which has no order; the task asks for a tuple"),
+    ],
+)
+def test_an_answer_of_another_kind_is_told_as_that(body: str, likely: str) -> None:
+    program = f"class Cell:\n    pass\n\ndef cell_of(x, y):\n    {body}\n"
+    assert failed(marked(CELL, program))["likely"].startswith(likely)
+
+
+@pytest.mark.filterwarnings("ignore:coroutine")
+def test_an_async_function_is_told_as_that() -> None:
+    first = failed(marked(CELL, "async def cell_of(x, y):\n    return 3, 7\n"))
+    assert first["likely"].startswith("cell_of is an async function")
+
+
+SETS = """
+from grader import check, function
+evens = function("evens(n)", lambda n: {i for i in range(n) if i % 2 == 0})
+clear = function("clear(cells)", lambda cells: cells.clear(), changes="cells")
+
+@check("Evens")
+def some(task):
+    task.call(evens, 5)
+    task.call(evens, 8)
+
+@check("Clear")
+def none(task):
+    task.call(clear, [1, 2])
+"""
+
+
+def test_a_list_for_a_set_and_a_new_value_for_a_changed_one_are_told() -> None:
+    program = """
+def evens(n):
+    return [i for i in range(n) if i % 2 == 0]
+def clear(cells):
+    return []
+"""
+    first, second = marked(SETS, program)["checks"]
+    assert first["likely"] == "it is a list; the task asks for a set: set(…)"
+    assert second["likely"].startswith("it returns a new value and leaves cells as it was")
+
+
+def test_expected_is_never_the_same_text_as_got() -> None:
+    check = """
+from grader import check, function
+row = function("row()", lambda: [[float(i), i / 3, i] for i in range(12)])
+
+@check("Row")
+def complete(task):
+    task.call(row)
+"""
+    values = "[[float(i), i / 3 + (i == 11) * 1e-7, i] for i in range(12)]"
+    first = failed(marked(check, f"def row():\n    return {values}\n"))
+    assert first["expected"].removeprefix("row() gives ") != first["got"]
+    assert "item 11 (counted from 0)" in first["expected"]
+    assert "3.6666666666666665" in first["expected"]
 
 
 def test_a_slip_that_raises_explains_the_same_error() -> None:
@@ -55,7 +230,7 @@ def test_a_slip_that_raises_explains_the_same_error() -> None:
     [
         ("x", "it returns None"),
         ("print(x)", "it prints its answer instead of returning it"),
-        ("return x // 10 + 0.0, y // 10 + 0.0", "the numbers are right, but of the wrong kind"),
+        ("return x // 10 + 0.0, y // 10 + 0.0", "the numbers are right, but they are floats"),
         ("return str((x // 10, y // 10))", "it gives a text, not a value"),
         ("return (each // 10 for each in (x, y))", "it gives generator, which is not a list yet"),
         ("return map(int, (x / 10, y / 10))", "it gives map, which is not a list yet"),
@@ -99,8 +274,8 @@ def test_two_answers_or_one_right_answer_are_no_sign_of_answering_all_the_same()
         ),
         (
             "return float(x // 2)",
-            "the numbers are right, but of the wrong kind: where a whole number is wanted, "
-            "2.0 will not do for 2 (// with whole numbers and math.floor() give whole numbers)",
+            "the numbers are right, but they are floats where whole numbers are wanted: "
+            "math.floor() and int() make whole numbers, .astype(int) those of an array",
         ),
         ("return x // 2 + 0.9", None),
     ],

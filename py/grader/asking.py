@@ -15,7 +15,7 @@ from grader.declare import Function
 from grader.failures import AuthorError
 from grader.values import decoded, encoded, shown
 
-__all__ = ["NOT_SAID", "Answered", "Call", "Look", "Set", "Step"]
+__all__ = ["NOT_SAID", "Answered", "Call", "Look", "Step"]
 
 NOT_SAID: Any = object()
 """Stands for an expectation that is left to the reference."""
@@ -28,6 +28,8 @@ class Call:
     function: Function
     arguments: tuple[Any, ...]
     gives: Any = NOT_SAID
+    constants: tuple[tuple[str, Any], ...] = ()
+    """What the check has changed in the program before it ran."""
 
     def request(self) -> dict[str, Any]:
         """As the performer is asked for it."""
@@ -41,7 +43,9 @@ class Call:
         return request
 
     def __str__(self) -> str:
-        return f"{self.function.name}({', '.join(map(shown, self.arguments))})"
+        call = f"{self.function.name}({', '.join(map(shown, self.arguments))})"
+        changed = ", ".join(f"{name} = {shown(value)}" for name, value in self.constants)
+        return f"with {changed}, {call}" if changed else call
 
     @property
     def verb(self) -> str:
@@ -75,18 +79,6 @@ class Call:
 
 
 @dataclass(frozen=True, slots=True)
-class Set:
-    """A variable of the learner's program, set for the calls after it."""
-
-    name: str
-    value: Any
-
-    def request(self) -> dict[str, Any]:
-        """As the performer is asked for it."""
-        return {"set": self.name, "value": encoded(self.value)}
-
-
-@dataclass(frozen=True, slots=True)
 class Look:
     """A look at a variable of the learner's program."""
 
@@ -99,6 +91,6 @@ class Look:
         return {"variable": self.name}
 
 
-Step = Call | Set | Look
+Step = Call | Look
 Answered = tuple[Call, dict[str, Any]]
 """A call with the performer's answer to it."""
