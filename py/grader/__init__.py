@@ -50,6 +50,7 @@ How marking works. A learner's program is never run in the interpreter that judg
     lesson.py     reads a lesson's folder, and says what is wrong with it
     marking.py    the dialogue of judge and performer, under plain CPython
     serving.py    the performer's process, there
+    parts.py      the learner's part of a program
     standing.py   the standing check of a whole course
     cli.py        python -m grader mark …, python -m grader check …
 """

@@ -106,7 +106,15 @@ def _program(file: str) -> str:
 
 # -- check -----------------------------------------------------------------------
 
-_COLUMNS = ("tasks", "checks", "starters fail", "solutions pass", "wrong earn", "seconds")
+_COLUMNS = (
+    "tasks",
+    "checks",
+    "starters fail",
+    "solutions pass",
+    "right pass",
+    "wrong earn",
+    "seconds",
+)
 
 
 def _check(options: argparse.Namespace) -> int:
@@ -132,6 +140,7 @@ def _row(report: Report) -> str:
         report.checks,
         report.starters,
         report.solutions,
+        report.right,
         report.wrong,
         f"{report.seconds:.1f}",
     )

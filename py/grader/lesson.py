@@ -9,6 +9,7 @@ May import: the standard library, `bugbot.errors`, `bugbot.worlds`, `grader.sche
     worlds/*.json                   worlds of this lesson alone
     <task>/starter.py solution.py check.py
     <task>/wrong/*.py               four or more, each beginning with `# earns: …`
+    <task>/right/*.py               right ones in other styles, each beginning with `# style: …`
 """
 
 from __future__ import annotations
@@ -39,7 +40,10 @@ LESSONS = Path(__file__).resolve().parents[2] / "lessons"
 """Where the course lies."""
 
 FEWEST_WRONG = 4
+FEWEST_RIGHT = 4
+"""Of a task that has any."""
 _EARNS = "# earns:"
+_STYLE = "# style:"
 _DIRECTIVE = re.compile(r"^::(program|task|picture) +([\w-]+)", re.MULTILINE)
 
 
@@ -78,6 +82,8 @@ class TaskFolder:
     hints: int
     world: str
     wrong: list[Attempt] = field(default_factory=list)
+    right: list[Path] = field(default_factory=list)
+    """Right solutions in other styles; the learner's part alone, where the task has one."""
 
     @property
     def check(self) -> Path:
@@ -242,6 +248,7 @@ class _Reader:
             for path in missing:
                 self._fault(self._path / "lesson.json", line, f"{shown(path)} is missing")
             self._wrong(task)
+            self._right(task)
             if not missing:
                 self.lesson.tasks.append(task)
 
@@ -262,6 +269,17 @@ class _Reader:
                 self._fault(path, 1, words)
                 continue
             task.wrong.append(Attempt(path, earns))
+
+    def _right(self, task: TaskFolder) -> None:
+        task.right = sorted((task.path / "right").glob("*.py"))
+        self._used.update(task.right)
+        if 0 < len(task.right) < FEWEST_RIGHT:
+            words = f"{FEWEST_RIGHT} right ones in other styles are wanted"
+            self._fault(task.right[0], None, f"the task has {len(task.right)}; {words}")
+        for path in task.right:
+            first = _text(path).partition("\n")[0]
+            if not first.removeprefix(_STYLE).strip() or not first.startswith(_STYLE):
+                self._fault(path, 1, f'line 1 should be "{_STYLE} …", how it differs from ours')
 
     def _prose(self, document: Document) -> None:
         path = self._path / "lesson.md"

@@ -2,8 +2,9 @@
 
 May import: the standard library, the rest of `grader`.
 
-Of each task: the starter fails, the solution passes on 20 different noises, each wrong attempt
-fails and earns the message that its first line names. Every hint that a check points to is there.
+Of each task: the starter fails, the solution and the right ones in other styles pass on 20
+different noises, each wrong attempt fails and earns the message that its first line names. Every
+hint that a check points to is there.
 A hidden world has the robot start where the task's own world has it, because a program's
 position() counts from there. And all that `grader.lesson` finds wrong with the folder.
 
@@ -24,6 +25,7 @@ from typing import Any
 from grader.lesson import CourseError, Fault, Lesson, TaskFolder, course, lesson_at
 from grader.marking import Performer, mark_program
 from grader.marks import first_failed
+from grader.parts import PartError, compose
 
 __all__ = ["SEEDS", "Report", "check_course"]
 
@@ -44,7 +46,7 @@ class _Part:
     lesson: Path
     task: str
     kind: str
-    """starter, solution or wrong"""
+    """starter, solution, right or wrong"""
     program: Path
     shifts: tuple[int, ...]
     earns: str = ""
@@ -59,6 +61,7 @@ class Report:
     checks: int = 0
     starters: int = 0
     solutions: int = 0
+    right: int = 0
     wrong: int = 0
     seconds: float = 0.0
     faults: list[Fault] = field(default_factory=list)
@@ -108,6 +111,7 @@ def check_course(
             report.checks += found.checks
             report.starters += found.marked if found.kind == "starter" else 0
             report.solutions += found.marked if found.kind == "solution" else 0
+            report.right += found.marked if found.kind == "right" else 0
             report.wrong += found.marked if found.kind == "wrong" else 0
     return [*reports, *by_slug.values()]
 
@@ -120,9 +124,11 @@ def _parts(lesson: Lesson, seeds: int) -> Iterator[_Part]:
     for task in lesson.tasks:
         yield _Part(lesson.path, task.name, "starter", task.starter, (0,))
         shifts = [_SHIFT * number for number in range(seeds)]
-        for first in range(0, seeds, _AT_ONCE):
-            some = tuple(shifts[first : first + _AT_ONCE])
-            yield _Part(lesson.path, task.name, "solution", task.solution, some)
+        passing = [("solution", task.solution), *(("right", path) for path in task.right)]
+        for kind, program in passing:
+            for first in range(0, seeds, _AT_ONCE):
+                some = tuple(shifts[first : first + _AT_ONCE])
+                yield _Part(lesson.path, task.name, kind, program, some)
         for attempt in task.wrong:
             yield _Part(lesson.path, task.name, "wrong", attempt.path, (0,), attempt.earns)
 
@@ -173,11 +179,22 @@ def _marked(
         task.check.read_text("utf-8"),
         lesson.for_judge(),
         task.name,
-        program.read_text("utf-8"),
+        _complete(task, program),
         perform,
         shift=shift,
     )
     return mark, worlds
+
+
+def _complete(task: TaskFolder, program: Path) -> str:
+    """The text that is marked: of a part, the complete program."""
+    text = program.read_text("utf-8")
+    if program not in task.right:
+        return text
+    try:
+        return compose(task.starter.read_text("utf-8"), text)
+    except PartError as error:
+        raise CourseError(f"{task.starter}: {error}") from None
 
 
 def _judged(part: _Part, task: TaskFolder, mark: dict[str, Any], shift: int) -> list[Fault]:
@@ -186,13 +203,13 @@ def _judged(part: _Part, task: TaskFolder, mark: dict[str, Any], shift: int) -> 
         return [Fault(part.program, None, f"marking it failed: {mark['ours']}")]
     failed = first_failed(mark)
     if failed is None:
-        if part.kind == "solution":
+        if part.kind in ("solution", "right"):
             return []
         return [Fault(part.program, None, f"the {_named(part.kind)} passes; it should fail")]
     told = _told(failed)
-    if part.kind == "solution":
+    if part.kind in ("solution", "right"):
         noise = "" if shift == 0 else f" with seeds {shift} higher"
-        return [Fault(part.program, None, f"the solution fails{noise}: {told}")]
+        return [Fault(part.program, None, f"the {_named(part.kind)} fails{noise}: {told}")]
     hint = failed["hint"]
     if hint is not None and not 0 <= hint < task.hints:
         words = (
@@ -206,7 +223,7 @@ def _judged(part: _Part, task: TaskFolder, mark: dict[str, Any], shift: int) -> 
 
 
 def _named(kind: str) -> str:
-    return "wrong attempt" if kind == "wrong" else kind
+    return {"wrong": "wrong attempt", "right": "right solution"}.get(kind, kind)
 
 
 def _told(failed: dict[str, Any]) -> str:
