@@ -81,6 +81,8 @@ def usual_slip(wrong: Wrong) -> str | None:
 
 
 def _nothing_returned(wrong: Wrong) -> str | None:
+    if isinstance(wrong.right, list | tuple | set | dict) and not wrong.right:
+        return f"it gives None where an empty {type(wrong.right).__name__} is asked: return that"
     if wrong.text.returns_a_value:
         return None  # None may be what was chosen
     if wrong.answer.get("printed"):

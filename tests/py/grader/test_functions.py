@@ -203,6 +203,15 @@ def clear(cells):
     assert second["likely"].startswith("it returns a new value and leaves cells as it was")
 
 
+def test_none_for_an_empty_list_is_told_as_that() -> None:
+    check = SETS.replace("{i for i in range(n) if i % 2 == 0}", "list(range(n))")
+    program = (
+        "def evens(n):\n    return list(range(n)) if n > 5 else None\ndef clear(c): c.clear()\n"
+    )
+    first = failed(marked(check.replace("5)", "0)"), program))
+    assert first["likely"] == "it gives None where an empty list is asked: return that"
+
+
 def test_expected_is_never_the_same_text_as_got() -> None:
     check = """
 from grader import check, function

@@ -1,4 +1,4 @@
-# earns: distance looks left out
+# earns: (5, 15)
 # Where to go
 #
 # Three regions of frontier cells are given, and the

@@ -1,4 +1,4 @@
-# earns: it goes on for ever
+# earns: A loop that should end on its own needs a condition
 # Explore
 #
 # The robot maps, finds where free floor meets the

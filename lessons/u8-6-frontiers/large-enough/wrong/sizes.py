@@ -1,4 +1,4 @@
-# earns: This is a single number, not a list
+# earns: these are sizes
 # Large enough
 #
 # Most of the small regions are noise at a wall. Your

@@ -1,4 +1,4 @@
-# earns: the robot looks taken for a point
+# earns: True
 # A straight way
 #
 # From where the robot stands, which goals can it reach in

@@ -1,4 +1,4 @@
-# earns: it returns None
+# earns: it gives None where an empty list is asked
 # A way round
 #
 # The red dot is not to be reached in a straight line.
