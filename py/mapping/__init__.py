@@ -1,7 +1,7 @@
 """The reference mapper: occupancy grid mapping from poses and readings alone.
 
 May import: the standard library, `bugbot.frames`, `bugbot.errors`. `arrays` alone may import
-NumPy, so that everything else runs where there is none.
+NumPy and `yaml_text` PyYAML, so that everything else runs where there is none.
 
     grid.py       the mat as cells in a flat list
     log_odds.py   probabilities, log odds, adding and clamping
@@ -12,7 +12,8 @@ NumPy, so that everything else runs where there is none.
     planning.py   ways for a robot that has a size: where it has room, A*, which region first
     score.py      a map against what really stands on the mat
     arrays.py     the same grid as a NumPy array
-    ros_map.py    map files of ROS, with images.py (PGM, PNG) and map_yaml.py
+    ros_map.py    map files of ROS, with ros_readers.py (the rules of each reader), images.py
+                  (image.py, pnm.py, png.py) and map_yaml.py (yaml_text.py)
 
 It marks what learners build and is itself never imported by their programs.
 A grid is a flat list, row after row, with row 0 at the bottom of the mat:

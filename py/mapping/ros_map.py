@@ -1,8 +1,7 @@
 """Map files of the Robot Operating System: an image and a YAML file beside it.
 
 May import: the standard library, `bugbot.errors`, `mapping.images`, `mapping.frontiers`,
-`mapping.grid`,
-`mapping.map_yaml`.
+`mapping.grid`, `mapping.map_yaml`, `mapping.ros_readers`.
 
 A map is a `nav_msgs/OccupancyGrid`: whole numbers 0 (free) to 100 (occupied) and -1 (unknown),
 row after row from the bottom, as our grids are. The image's first row is the TOP of the map.
@@ -11,27 +10,36 @@ Readers differ in what they make of a pixel, and the difference bites: grey 205,
 writer uses for unknown, has p = 50/255 = 0.196. With free_thresh 0.25 it is read as free floor.
 So what is written here has free_thresh 0.196, as nav2 does since 2025.
 
-Where it comes from (behaviour, restated):
-  nav2_map_server/src/map_io.cpp, ros-navigation/navigation2 (pull requests 5071 and 5278, 2025)
-  map_server/src/image_loader.cpp and map_saver.cpp, ros-planning/navigation, noetic
+Their rules are in `ros_readers`, with where they come from. `tests/py/mapping/ros` has files with
+what the real readers make of them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import json
+import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from math import isfinite
 
 from bugbot.errors import WrongValueError, got
 from mapping.frontiers import State
 from mapping.grid import Grid
 from mapping.images import Image, read_image, write_pgm, write_png
-from mapping.map_yaml import Mode, Settings, read_settings
+from mapping.map_yaml import Mode, Reader, read_settings, settings_of
+from mapping.ros_readers import UNKNOWN, cell_bytes
 
-__all__ = ["FREE_THRESH", "OCCUPIED_THRESH", "UNKNOWN", "Mode", "Reader", "RosMap", "read", "write"]
-
-UNKNOWN = -1
+__all__ = [
+    "FREE_THRESH",
+    "OCCUPIED_THRESH",
+    "UNKNOWN",
+    "Mode",
+    "Reader",
+    "RosMap",
+    "cells_of",
+    "read",
+    "write",
+]
 
 _OPAQUE = 255
 
@@ -40,15 +48,6 @@ FREE_THRESH = 0.196
 """Thresholds that keep grey 205 unknown for every reader."""
 
 _FREE_GREY, _UNKNOWN_GREY, _OCCUPIED_GREY = 254, 205, 0
-
-
-class Reader(StrEnum):
-    """Whose rules a file is read by."""
-
-    NAV2 = "nav2"
-    """Since April 2025: a threshold itself counts, any transparency is unknown."""
-    NAV2_2024 = "nav2 before 2025"
-    ROS1 = "ros 1"
 
 
 @dataclass(frozen=True)
@@ -75,12 +74,50 @@ class RosMap:
             raise WrongValueError(
                 f"RosMap wants a resolution above 0 (m); it got {got(self.resolution)}"
             )
+        if not all(isfinite(each) for each in self.origin):
+            raise WrongValueError(f"RosMap wants an origin of numbers; it got {got(self.origin)}")
 
     @classmethod
     def of_states(cls, grid: Grid, states: Sequence[State]) -> RosMap:
         """Our map of the mat: the mat's lower left corner is the origin."""
         cells = tuple(int(each) for each in states)
         return cls(grid.across, grid.across, cells, grid.cell_cm / 100)
+
+
+def read(text: str, image: bytes, reader: Reader = Reader.NAV2) -> RosMap:
+    """The map in a YAML file's text and its image's bytes, by a reader's rules.
+
+    Raises WrongValueError that names the line or says what is wrong with the image.
+    """
+    settings = read_settings(text, reader)
+    pixels = read_image(image)
+    cells = tuple(memoryview(cell_bytes(pixels, settings, reader)).cast("b"))
+    return RosMap(pixels.width, pixels.height, cells, settings.resolution, settings.origin)
+
+
+def cells_of(
+    rows: Sequence[Sequence[int]], said: Mapping[str, object], reader: Reader = Reader.NAV2
+) -> list[list[int]]:
+    """What a reader makes of an image's greys and the settings beside it: rows from the bottom.
+
+    rows  greys 0 to 255, the image's top row first
+    said  the settings by their names, as they would stand in the YAML file
+
+    Raises WrongValueError where the reader would refuse them.
+
+    >>> said = {"image": "a.pgm", "resolution": 0.05, "origin": [0, 0, 0], "negate": 0}
+    >>> said |= {"occupied_thresh": 0.65, "free_thresh": 0.196}
+    >>> cells_of([[0, 205], [254, 254]], said)
+    [[0, 0], [100, -1]]
+    """
+    settings = settings_of(said, reader)
+    width = len(rows[0]) if rows else 0
+    try:
+        grey = bytes(grey for row in rows for grey in row)
+    except (ValueError, TypeError):
+        raise WrongValueError("an image's greys are whole numbers from 0 to 255") from None
+    cells = memoryview(cell_bytes(Image(width, len(rows), grey), settings, reader)).cast("b")
+    return [list(cells[start : start + width]) for start in range(0, len(cells), width)]
 
 
 def write(
@@ -94,22 +131,19 @@ def write(
     png = (mode is Mode.SCALE) if png is None else png
     if mode is Mode.SCALE and not png:
         raise WrongValueError("a map in scale mode wants a PNG file: a PGM has no transparency")
-    greys = bytearray()
-    alphas = bytearray()
-    for row in reversed(range(a_map.height)):
-        for cell in a_map.cells[row * a_map.width : (row + 1) * a_map.width]:
-            grey, opacity = _pixel(cell, mode)
-            greys.append(grey)
-            alphas.append(opacity)
+    pixels = {cell: _pixel(cell, mode) for cell in set(a_map.cells)}
+    starts = reversed(range(0, len(a_map.cells), a_map.width))
+    top_down = [cell for start in starts for cell in a_map.cells[start : start + a_map.width]]
+    greys = bytes(pixels[cell][0] for cell in top_down)
     # Alpha only where it says something: some readers average it in.
-    alpha = bytes(alphas) if mode is Mode.SCALE else None
-    image = Image(a_map.width, a_map.height, bytes(greys), alpha)
-    x, y, yaw = a_map.origin
+    alpha = bytes(pixels[cell][1] for cell in top_down) if mode is Mode.SCALE else None
+    image = Image(a_map.width, a_map.height, greys, alpha)
+    x, y, yaw = map(_digits, a_map.origin)
     text = (
-        f"image: {image_name}\n"
+        f"image: {_name(image_name)}\n"
         f"mode: {mode}\n"
-        f"resolution: {a_map.resolution:g}\n"
-        f"origin: [{x:g}, {y:g}, {yaw:g}]\n"
+        f"resolution: {_digits(a_map.resolution)}\n"
+        f"origin: [{x}, {y}, {yaw}]\n"
         "negate: 0\n"
         f"occupied_thresh: {OCCUPIED_THRESH}\n"
         f"free_thresh: {FREE_THRESH}\n"
@@ -131,77 +165,16 @@ def _pixel(cell: int, mode: Mode) -> tuple[int, int]:
     return (_OCCUPIED_GREY if cell >= round(100 * OCCUPIED_THRESH) else _UNKNOWN_GREY), _OPAQUE
 
 
-def read(text: str, image: bytes, reader: Reader = Reader.NAV2) -> RosMap:
-    """The map in a YAML file's text and its image's bytes, by a reader's rules.
-
-    Raises WrongValueError that names the line or says what is wrong with the image.
-    """
-    settings = read_settings(text)
-    pixels = read_image(image)
-    rule = _RULES[reader]
-    cells: list[int] = []
-    for row in reversed(range(pixels.height)):
-        span = slice(row * pixels.width, (row + 1) * pixels.width)
-        alphas = [None] * pixels.width if pixels.alpha is None else pixels.alpha[span]
-        pairs = zip(pixels.grey[span], alphas, strict=True)
-        cells += [rule(grey, alpha, settings) for grey, alpha in pairs]
-    return RosMap(pixels.width, pixels.height, tuple(cells), settings.resolution, settings.origin)
+def _digits(number: float) -> str:
+    """As many digits as the number has; a point before an exponent, which YAML 1.1 wants."""
+    text = repr(float(number)).removesuffix(".0")
+    return text if "e" not in text or "." in text else text.replace("e", ".0e")
 
 
-def _by_nav2(grey: int, alpha: int | None, settings: Settings) -> int:
-    if settings.mode is Mode.RAW:
-        return grey if grey <= 100 else UNKNOWN
-    if alpha is not None and alpha < _OPAQUE:
-        return UNKNOWN
-    p = _share(grey, settings)
-    if p >= settings.occupied:
-        return 100
-    if p <= settings.free:
-        return 0
-    return _between(p, settings) if settings.mode is Mode.SCALE else UNKNOWN
-
-
-def _by_nav2_2024(grey: int, alpha: int | None, settings: Settings) -> int:
-    if settings.mode is Mode.RAW:
-        return grey if grey <= 100 else UNKNOWN
-    if settings.mode is Mode.SCALE and alpha is not None and alpha < _OPAQUE:
-        return UNKNOWN
-    p = _share(_averaged(grey, alpha, settings), settings)
-    if p > settings.occupied:
-        return 100
-    if p < settings.free:
-        return 0
-    return _between(p, settings) if settings.mode is Mode.SCALE else UNKNOWN
-
-
-def _by_ros1(grey: int, alpha: int | None, settings: Settings) -> int:
-    if settings.mode is Mode.RAW:
-        value = 255 - grey if settings.negate else grey
-        return value - 256 if value > 127 else value  # an int8: 255 is -1
-    p = _share(int(_averaged(grey, alpha, settings)), settings)
-    if p > settings.occupied:
-        return 100
-    if p < settings.free:
-        return 0
-    if settings.mode is Mode.TRINARY or alpha == 0:
-        return UNKNOWN
-    return int(1 + 98 * (p - settings.free) / (settings.occupied - settings.free))
-
-
-def _averaged(grey: int, alpha: int | None, settings: Settings) -> float:
-    """Older readers average alpha in as a fourth colour, in trinary mode."""
-    if alpha is None or settings.mode is not Mode.TRINARY:
-        return grey
-    return (3 * grey + alpha) / 4
-
-
-_RULES = {Reader.NAV2: _by_nav2, Reader.NAV2_2024: _by_nav2_2024, Reader.ROS1: _by_ros1}
-
-
-def _share(grey: float, settings: Settings) -> float:
-    """How occupied a grey says a cell is, 0 to 1: dark is occupied unless negated."""
-    return grey / 255 if settings.negate else (255 - grey) / 255
-
-
-def _between(p: float, settings: Settings) -> int:
-    return round(100 * (p - settings.free) / (settings.occupied - settings.free))
+def _name(image_name: str) -> str:
+    """In quotes, unless it is plain: #, brackets, a colon or a blank can mean something in YAML."""
+    if not image_name:
+        raise WrongValueError("write(a_map, image_name) wants a name for the image; it got ''")
+    if re.fullmatch(r"[A-Za-z_][\w./-]*\.(?:pgm|png)", image_name, re.ASCII):
+        return image_name
+    return json.dumps(image_name, ensure_ascii=False)

@@ -24,7 +24,13 @@ NumPy (loaded when a program imports it)
 BSD-3-Clause: https://numpy.org/doc/stable/license.html
 Copyright (c) 2005-2026, NumPy Developers. All rights reserved.
 The file python/numpy-*.bin is its wheel, a ZIP archive as it was published; the terms of all its
-parts are in its folder numpy-*.dist-info/licenses.`;
+parts are in its folder numpy-*.dist-info/licenses.
+
+PyYAML (loaded when a ROS map is opened)
+MIT: https://pyyaml.org
+Copyright (c) 2017-2021 Ingy döt Net. Copyright (c) 2006-2016 Kirill Simonov.
+The file python/yaml-*.bin is a ZIP archive of its Python files; its terms are in the folder
+pyyaml-*.dist-info/licenses.`;
 
 /**
  * @typedef {{ name: string, version: string, license: string, home: string, text: string }} Part

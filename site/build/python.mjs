@@ -1,7 +1,7 @@
 /**
  * Prepares everything the browser needs to run Python, under .cache/python/:
- * the interpreter, its memory snapshot, the standard library, NumPy, our sources, and what the
- * page knows about them (manifest.json, course.json). Made again only when something changed.
+ * the interpreter, its memory snapshot, the standard library, NumPy, PyYAML, our sources, and what
+ * the page knows about them (manifest.json, course.json). Made again only when something changed.
  *
  * Large files are stored gzipped under names that end in .bin, so that they are small on any static
  * host and no server unpacks them on the way; the page does that itself.
@@ -11,6 +11,7 @@ import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { CACHE, filesBelow, hashOfFiles, preparedFolder, ROOT, sha256, write } from "./files.mjs";
 import { numpyWheel } from "./numpy.mjs";
+import { pyyamlArchive } from "./pyyaml.mjs";
 import { makeSnapshot, runInPyodide } from "./snapshot.mjs";
 
 const PYODIDE = join(ROOT, "node_modules/pyodide");
@@ -63,7 +64,7 @@ export async function preparePython(log = (_text) => {}) {
  * @param {(text: string) => void} log
  */
 async function prepareInto(folder, key, sources, log) {
-  log("preparing Python for the browser: interpreter, snapshot, NumPy");
+  log("preparing Python for the browser: interpreter, snapshot, NumPy, PyYAML");
   const wheel = await numpyWheel(log);
   const snapshot = await makeSnapshot(sources);
   const course = JSON.parse(await runInPyodide(sources, DESCRIBE));
@@ -83,6 +84,7 @@ async function prepareInto(folder, key, sources, log) {
       // Archives are compressed already.
       stdlib: store(folder, "stdlib", readFileSync(join(PYODIDE, "python_stdlib.zip"))),
       numpy: store(folder, "numpy", wheel.bytes),
+      yaml: store(folder, "yaml", pyyamlArchive(log)),
     },
     loader: `pyodide-${sha256(readFileSync(join(PYODIDE, "pyodide.asm.mjs"))).slice(0, 8)}`,
   });
@@ -114,7 +116,7 @@ function inputsKey() {
       join(ROOT, "py", name, path),
     ),
   );
-  const build = ["files", "numpy", "python", "snapshot"].map((name) =>
+  const build = ["files", "numpy", "python", "pyyaml", "snapshot"].map((name) =>
     join(ROOT, "site/build", `${name}.mjs`),
   );
   const pages = join(ROOT, "site/src/worker/snapshot-pages.mjs");

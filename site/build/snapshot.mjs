@@ -176,8 +176,11 @@ async function withFreshInstance(seen, start) {
   }
 }
 
-/** Not in the snapshot: NumPy can't be in one, and the command line is not for the browser. */
-const LEFT_OUT = /^import numpy|^import argparse/m;
+/**
+ * Not in the snapshot: NumPy can't be in one, PyYAML comes when a map is opened, and the command
+ * line is not for the browser.
+ */
+const LEFT_OUT = /^import numpy|^import yaml|^import argparse/m;
 
 /**
  * Our modules, as names to import.

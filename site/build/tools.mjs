@@ -29,3 +29,16 @@ export function findPython() {
       "Remedy: install it from python.org or your system's packages and start again.",
   );
 }
+
+/**
+ * Runs a command to its end; what it said last is the error if it fails.
+ * @param {string} command
+ * @param {string[]} args
+ */
+export function runTool(command, args) {
+  const done = spawnSync(command, args, { encoding: "utf8" });
+  if (done.status !== 0) {
+    const lines = (done.stderr || done.error?.message || "").trim().split("\n");
+    throw new Error(lines.at(-1) || `${command} ended with status ${done.status}`);
+  }
+}

@@ -67,10 +67,14 @@ test("demo 1’s map as ROS files is the run’s map cell for cell, and lies on 
   expect(read.ros1).toEqual(drawn);
   const unknown = drawn.filter((cell) => cell === -1).length;
   expect(unknown).toBeGreaterThan(100);
+  await expect(app.status).toContainText("as it is at the end of the run");
   await expect(app.status).toContainText(`${unknown} unknown`);
 
   await lab.evaluate((element: Lab) => element.seek(3));
-  const early = readRosMap((await app.saved("Download as ROS map")).content);
+  const atThree = await app.saved("Download as ROS map");
+  expect(atThree.name).toBe("post-and-shelf-seed-1-at-3.0-s.zip");
+  await expect(app.status).toContainText("has the map as it is at 3.0 s");
+  const early = readRosMap(atThree.content);
   expect(early.nav2.filter((cell) => cell === -1).length).toBeGreaterThan(unknown);
 
   // On a mat without a run, so that all that is there is the file.

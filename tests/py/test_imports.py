@@ -37,6 +37,7 @@ MAY_IMPORT: dict[str, tuple[str, ...]] = {
     "bugbot.cli": (*CALLS, "bugbot.run", "bugbot.picture", "bugbot.supervisor"),
     "bugbot.__main__": ("bugbot.cli",),
     "mapping": ("bugbot.frames", "bugbot.errors", "mapping", "numpy"),
+    "mapping.yaml_text": ("bugbot.errors", "yaml"),
     "grader": ("bugbot", "bugbot.*", "mapping", "grader"),
     "grader.classes.machines": ("grader", "distributed"),
     "sketch": ("bugbot.frames", "sketch"),

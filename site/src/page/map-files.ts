@@ -8,8 +8,8 @@ import { type LabDesk, placeOfRun } from "./run-files.ts";
 import { chooseFiles } from "./text-file.ts";
 
 /** Ends of the names of files that a map consists of. */
-const ENDS = /\.(ya?ml|pgm|png|zip|bmp|jpe?g|gif|tiff?)$/i;
-const ACCEPT = ".yaml,.yml,.pgm,.png,.zip";
+const ENDS = /\.(ya?ml|p[bgpn]m|png|zip|bmp|jpe?g|gif|tiff?|webp)$|(^|\/)\.DS_Store$/i;
+const ACCEPT = ".yaml,.yml,.pgm,.pbm,.ppm,.pnm,.png,.zip";
 
 export function mapItems(desk: LabDesk, told: (act: () => Promise<void>) => Promise<void>) {
   const group: MenuGroup = {
@@ -38,16 +38,13 @@ export function areMap(files: readonly File[]): boolean {
 /** Lays the map in these files on the mat; throws FileError. */
 export async function openMap(desk: LabDesk, files: readonly File[]): Promise<void> {
   desk.say({ text: rosWords.reading });
-  const [{ readRosMap }, { backdropOf, isOnMat }] = await Promise.all([
+  const [{ readRosMap }, { backdropOf, reachOf }] = await Promise.all([
     import("./ros-map.ts"),
     import("./ros-backdrop.ts"),
   ]);
   const map = await readRosMap(desk.runtime, files);
   desk.lab.backdrop = backdropOf(map, () => remove(desk));
-  const [x, y] = map.origin;
-  const text = isOnMat(map)
-    ? rosWords.opened(map.name)
-    : rosWords.beyond(map.name, 100 * x, 100 * y);
+  const text = rosWords.opened(map.name, reachOf(map), map.doubts);
   desk.say({ text, action: { label: rosWords.remove, act: () => remove(desk) } });
 }
 
@@ -62,5 +59,6 @@ async function save(desk: LabDesk): Promise<void> {
   const { trace, time } = desk.shown;
   const map = drawnAt(trace, time);
   desk.say({ text: rosWords.working });
-  desk.say({ text: await saveRosMap(desk.runtime, `${world}-seed-${seed}`, map) });
+  const moment = time < trace.duration ? time : null;
+  desk.say({ text: await saveRosMap(desk.runtime, `${world}-seed-${seed}`, map, moment) });
 }

@@ -23,7 +23,7 @@ export interface DrawnMap {
 type Asked = Pick<Runtime, "convert">;
 
 /** Files larger than this are no maps of a mat [bytes]. */
-const MOST_BYTES = 20_000_000;
+const MOST_BYTES = 80_000_000;
 
 /** What the run has drawn as a map at a moment; throws FileError if that is none. */
 export function drawnAt(trace: Trace, seconds: number): DrawnMap {
@@ -46,17 +46,25 @@ export function drawnAt(trace: Trace, seconds: number): DrawnMap {
   return { cell_cm: size, free: points(free), occupied: points(occupied) };
 }
 
-/** Hands the map's files to the browser to save, as one archive; resolves to what to say of it. */
-export async function saveRosMap(runtime: Asked, name: string, map: DrawnMap): Promise<string> {
-  const answer = await ask(runtime, { act: "save", name, ...map });
-  const { file, bytes, free, occupied, unknown } = answer as Saved;
-  saveFile(file, new Blob([decode(bytes)], { type: "application/zip" }));
-  return rosWords.saved(file, free, occupied, unknown);
+/**
+ * Hands the map's files to the browser to save, as one archive; resolves to what to say of it.
+ * `moment` is when it was drawn like this [s], null for the end of a run.
+ */
+export async function saveRosMap(
+  runtime: Asked,
+  name: string,
+  map: DrawnMap,
+  moment: number | null = null,
+): Promise<string> {
+  const title = moment === null ? name : `${name}-at-${moment.toFixed(1)}-s`;
+  const { answer, bytes } = await ask(runtime, { act: "save", name: title, ...map });
+  const { file, ...counts } = answer as Saved;
+  saveFile(file, new Blob(bytes ? [bytes] : [], { type: "application/zip" }));
+  return rosWords.saved(file, counts, moment);
 }
 
 interface Saved {
   file: string;
-  bytes: string;
   free: number;
   occupied: number;
   unknown: number;
@@ -64,44 +72,37 @@ interface Saved {
 
 /** The map in files that were chosen together; throws FileError that names the file and the fault. */
 export async function readRosMap(runtime: Asked, files: readonly File[]): Promise<OpenedMap> {
-  const sent = await Promise.all(
-    files.map(async (file) => {
-      if (file.size > MOST_BYTES) {
-        throw new FileError(rosWords.tooLarge(file.name, MOST_BYTES / 1e6));
-      }
-      return { name: file.name, bytes: encode(new Uint8Array(await file.arrayBuffer())) };
-    }),
-  );
-  const map = (await ask(runtime, { act: "open", files: sent })) as OpenedMap & { cells: unknown };
-  return { ...map, cells: decode(String(map.cells)) };
+  const contents = await Promise.all(files.map(contentOf));
+  const names = files.map((file) => file.name);
+  const { answer, bytes } = await ask(runtime, { act: "open", names }, contents);
+  return { ...(answer as Omit<OpenedMap, "cells">), cells: new Uint8Array(bytes ?? new ArrayBuffer(0)) };
+}
+
+async function contentOf(file: File): Promise<ArrayBuffer> {
+  if (file.size > MOST_BYTES) throw new FileError(rosWords.tooLarge(file.name, MOST_BYTES / 1e6));
+  try {
+    return await file.arrayBuffer();
+  } catch {
+    // A folder dropped on the page, or a file that has gone since.
+    throw new FileError(rosWords.unreadable(file.name));
+  }
 }
 
 /** Throws FileError for what is wrong with a file, and for what is wrong with us. */
-async function ask(runtime: Asked, request: object): Promise<unknown> {
+async function ask(
+  runtime: Asked,
+  request: object,
+  files: readonly ArrayBuffer[] = [],
+): Promise<{ answer: object; bytes: ArrayBuffer | null }> {
   let answer: { error?: string };
+  let bytes: ArrayBuffer | null;
   try {
-    answer = JSON.parse(await runtime.convert(JSON.stringify(request)));
+    const converted = await runtime.convert(JSON.stringify(request), files);
+    answer = JSON.parse(converted.answer);
+    bytes = converted.bytes;
   } catch (error) {
     throw new FileError(rosWords.failed(error instanceof Error ? error.message : String(error)));
   }
   if (answer.error !== undefined) throw new FileError(rosWords.notOpened(answer.error));
-  return answer;
-}
-
-/** So many bytes at a time become letters: arguments of a call are not without end. */
-const CHUNK = 0x8000;
-
-function encode(bytes: Uint8Array): string {
-  const parts: string[] = [];
-  for (let i = 0; i < bytes.length; i += CHUNK) {
-    parts.push(String.fromCharCode(...bytes.subarray(i, i + CHUNK)));
-  }
-  return btoa(parts.join(""));
-}
-
-function decode(text: string): Uint8Array<ArrayBuffer> {
-  const letters = atob(text);
-  const bytes = new Uint8Array(letters.length);
-  for (let i = 0; i < letters.length; i++) bytes[i] = letters.charCodeAt(i);
-  return bytes;
+  return { answer, bytes };
 }

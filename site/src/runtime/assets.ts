@@ -16,6 +16,7 @@ export class Assets {
   #stdlib: Promise<ArrayBuffer> | null = null;
   #stdlibBytes: ArrayBuffer | null = null;
   #numpy: Promise<ArrayBuffer> | null = null;
+  #yaml: Promise<ArrayBuffer> | null = null;
 
   constructor() {
     for (const file of [files.interpreter, files.snapshot, files.sources]) {
@@ -74,6 +75,15 @@ export class Assets {
       this.#numpy = null;
     });
     return this.#numpy;
+  }
+
+  /** PyYAML's archive: 60 kB. */
+  yaml(): Promise<ArrayBuffer> {
+    this.#yaml ??= this.#bytes(files.yaml, new Progress());
+    this.#yaml.catch(() => {
+      this.#yaml = null;
+    });
+    return this.#yaml;
   }
 
   /**

@@ -4,11 +4,13 @@
 import type { World } from "../trace/events.ts";
 import type { Trace } from "../trace/trace.ts";
 import { Assets } from "./assets.ts";
+import type { Converted } from "./converter.ts";
 import { type Marked, Marker, type MarkListeners } from "./marker.ts";
 import type { JudgeRequest, RunRequest } from "./messages.ts";
 import { Pool, type Workers } from "./pool.ts";
 import { Run, type RunListeners } from "./run.ts";
 
+export type { Converted } from "./converter.ts";
 export type { Marked, MarkListeners, MarkProgress } from "./marker.ts";
 export type { JudgeRequest, RunRequest } from "./messages.ts";
 export type { RunListeners } from "./run.ts";
@@ -92,11 +94,14 @@ export class Runtime extends EventTarget {
     return this.#begun(new Marker(request, listeners, workers, assets));
   }
 
-  /** Ask the site's own Python: JSON in and out. Starts Python if need be, and waits for it. */
-  async convert(request: string): Promise<string> {
+  /**
+   * Ask the site's own Python: JSON and files' bytes in, JSON and bytes out. Starts Python if need
+   * be, and waits for it.
+   */
+  async convert(request: string, files: readonly ArrayBuffer[] = []): Promise<Converted> {
     const { workers, assets } = this.#staff();
     const { convert } = await import("./converter.ts");
-    return convert(request, workers, assets);
+    return convert(request, files, workers, assets);
   }
 
   #begun<Work extends { done: Promise<unknown> }>(work: Work): Work {

@@ -62,8 +62,8 @@ export type ToWorker =
   | { kind: "results"; id: number; results: readonly string[] }
   /** Do a job of a marking, given as JSON; answered by `performed`. */
   | { kind: "perform"; id: number; program: string; job: string }
-  /** Make or read a file, by `bridge.ros`; JSON, answered by `converted`. */
-  | { kind: "convert"; id: number; request: string }
+  /** Make or read a file, by `bridge.ros`; JSON and the files' bytes, answered by `converted`. */
+  | { kind: "convert"; id: number; request: string; files: readonly ArrayBuffer[] }
   | { kind: "stdlib"; bytes: ArrayBuffer }
   | { kind: "package"; name: string; bytes: ArrayBuffer };
 
@@ -98,8 +98,8 @@ export type FromWorker =
   | { kind: "beat"; id: number; t: number }
   /** A job is done: its result as JSON, with the trace of the run. */
   | { kind: "performed"; id: number; result: string }
-  /** What was asked for by `convert`, as JSON. */
-  | { kind: "converted"; id: number; answer: string }
+  /** What was asked for by `convert`, as JSON and, if there are some, bytes; transferred. */
+  | { kind: "converted"; id: number; answer: string; bytes: ArrayBuffer | null }
   /**
    * The interpreter can't be used any more: `recursion`, calls went deeper than the engine allows;
    * `fatal`, it broke down; `internal`, a fault of ours. `line` is the program's, if it is known;
@@ -139,7 +139,11 @@ export function isFromWorker(value: unknown): value is FromWorker {
     case "performed":
       return hasId && isText(message.result, MOST_RESULT);
     case "converted":
-      return hasId && isText(message.answer, MOST_RESULT);
+      return (
+        hasId &&
+        isText(message.answer, MOST_RESULT) &&
+        (message.bytes === null || message.bytes instanceof ArrayBuffer)
+      );
     case "died":
       return (
         (hasId || message.id === null) &&

@@ -2,6 +2,23 @@
  * The words of ROS maps. `strings.ts` has the voice. Imports nothing of ours.
  */
 
+interface Reach {
+  x: readonly [number, number];
+  y: readonly [number, number];
+  onMat: "all" | "part" | "none";
+}
+
+function placed(name: string, { x, y, onMat }: Reach): string {
+  const span = ([from, to]: readonly [number, number]) => `${from.toFixed(0)} to ${to.toFixed(0)}`;
+  const extent = `the map covers x = ${span(x)} and y = ${span(y)} cm, the mat 0 to 200`;
+  if (onMat === "none") return `${name} was read, but none of it is on the mat: ${extent}.`;
+  const here = `${name} lies on the mat now, under what the program draws.`;
+  if (onMat === "all") return here;
+  return `${here} Only a part of it is shown: ${extent}.`;
+}
+
+const sentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+
 const percent = (share: number): string => String(Number((100 * share).toFixed(1)));
 
 export const rosWords = {
@@ -10,8 +27,13 @@ export const rosWords = {
   save: "Download as ROS map",
   open: "Open a ROS map…",
   remove: "Remove the ROS map",
-  saved: (file: string, free: number, occupied: number, unknown: number) =>
-    `${file} holds the map and its YAML file: ${free} cells free, ${occupied} occupied, ${unknown} unknown.`,
+  /** `moment` is the shown one [s], or null at the end of the run. */
+  saved: (
+    file: string,
+    { free, occupied, unknown }: { free: number; occupied: number; unknown: number },
+    moment: number | null,
+  ) =>
+    `${file} has the map as it is at ${moment === null ? "the end of the run" : `${moment.toFixed(1)} s`}, and its YAML file: ${free} cells free, ${occupied} occupied, ${unknown} unknown.`,
   working: "Python is making the map…",
   reading: "Python is reading the map…",
   noMap:
@@ -23,15 +45,16 @@ export const rosWords = {
   notOpened: (why: string) => `That map can’t be opened: ${why}.`,
   failed: (why: string) =>
     `The map could not be made or read. That is a fault of this site, not of your file: ${why}.`,
-  opened: (name: string) => `${name} lies on the mat now, under what the program draws.`,
-  beyond: (name: string, x: number, y: number) =>
-    `${name} was read, but none of it is on the mat: its lower left corner is at (${x.toFixed(0)}, ${y.toFixed(0)}) cm, and the mat goes from 0 to 200.`,
+  unreadable: (name: string) => `${name} can’t be read: is it a folder, or gone?`,
+  opened: (name: string, reach: Reach, doubts: readonly string[]) =>
+    [placed(name, reach), ...doubts.map(sentence)].join(" "),
   legend: (name: string) => `map ${name}`,
   note: (map: {
     width: number;
     height: number;
     resolution: number;
     mode: string;
+    doubts: readonly string[];
     negate: boolean;
     occupied_thresh: number;
     free_thresh: number;
@@ -40,5 +63,5 @@ export const rosWords = {
       map.mode === "raw"
         ? ""
         : `, occupied from ${percent(map.occupied_thresh)}\u00a0%, free to ${percent(map.free_thresh)}\u00a0%${map.negate ? ", negated" : ""}`
-    }`,
+    }${map.doubts.map((doubt) => `. ${sentence(doubt).slice(0, -1)}`).join("")}`,
 };

@@ -11,6 +11,7 @@ import type { Boot, FromWorker, ToWorker } from "../runtime/messages.ts";
 import { installStdlib, installWheel, startInterpreter, writePythonStack } from "./interpreter.ts";
 import { LastWords } from "./last-words.ts";
 import { CLOSE_IMPORTS, lockDown } from "./lockdown.ts";
+import { undoFilters } from "./png-rows.ts";
 
 /** `bridge.session`, as far as it is called from here. */
 interface Session {
@@ -32,7 +33,17 @@ interface Marking {
 
 /** `bridge.ros`, as far as it is called from here. */
 interface Ros {
-  convert(request: string): string;
+  convert(
+    request: string,
+    files: readonly Uint8Array[],
+    send: (answer: string, bytes: PythonBytes | undefined) => void,
+    undo: (rows: PythonBytes, rowBytes: number, pixelBytes: number) => void,
+  ): void;
+}
+
+/** Bytes in Python's memory, lent for the time of a call. */
+interface PythonBytes {
+  getBuffer(type: "u8"): { data: Uint8Array; release(): void };
 }
 
 interface Judge {
@@ -91,14 +102,26 @@ class Interpreter {
       } else if (message.kind === "run") {
         this.#run(session, message);
       } else if (message.kind === "convert") {
-        const ros = pyodide.pyimport("bridge.ros") as Ros;
-        this.#send({ kind: "converted", id: message.id, answer: ros.convert(message.request) });
+        this.#convert(pyodide.pyimport("bridge.ros") as Ros, message);
       } else {
         this.#mark(pyodide.pyimport("bridge.marking") as Marking, message);
       }
     } catch (error) {
       this.#fail(error);
     }
+  }
+
+  #convert(ros: Ros, { id, request, files }: Extract<ToWorker, { kind: "convert" }>): void {
+    ros.convert(
+      request,
+      files.map((file) => new Uint8Array(file)),
+      (answer, lent) => {
+        const bytes = lent ? withData(lent, (data) => data.slice().buffer as ArrayBuffer) : null;
+        this.#send({ kind: "converted", id, answer, bytes }, bytes ? [bytes] : []);
+      },
+      (rows, rowBytes, pixelBytes) =>
+        withData(rows, (data) => undoFilters(data, rowBytes, pixelBytes)),
+    );
   }
 
   #run(session: Session, request: Extract<ToWorker, { kind: "run" }>): void {
@@ -157,4 +180,13 @@ class Interpreter {
 /** The three engines' words for a JavaScript stack that is full. */
 function stackOverflowed(message: string): boolean {
   return /call stack|recursion/i.test(message);
+}
+
+function withData<Result>(lent: PythonBytes, use: (data: Uint8Array) => Result): Result {
+  const buffer = lent.getBuffer("u8");
+  try {
+    return use(buffer.data);
+  } finally {
+    buffer.release();
+  }
 }
