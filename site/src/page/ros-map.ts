@@ -75,7 +75,10 @@ export async function readRosMap(runtime: Asked, files: readonly File[]): Promis
   const contents = await Promise.all(files.map(contentOf));
   const names = files.map((file) => file.name);
   const { answer, bytes } = await ask(runtime, { act: "open", names }, contents);
-  return { ...(answer as Omit<OpenedMap, "cells">), cells: new Uint8Array(bytes ?? new ArrayBuffer(0)) };
+  return {
+    ...(answer as Omit<OpenedMap, "cells">),
+    cells: new Uint8Array(bytes ?? new ArrayBuffer(0)),
+  };
 }
 
 async function contentOf(file: File): Promise<ArrayBuffer> {
