@@ -89,6 +89,7 @@ def _frames(error: BaseException, filename: str) -> list[tuple[int, str]]:
 def _case(error: BaseException, lines: list[str], filename: str) -> Case:
     """The error as the slips look at it."""
     text = (error.msg or "") if isinstance(error, SyntaxError) else _text(error)
+    text = _short(text, _LONGEST_MESSAGE)  # the patterns below take their time over longer ones
     if isinstance(error, SyntaxError) and not learner_lines(error, filename):
         line = _real_line(error.lineno or _line_with_null(lines), lines)
         return Case(error, text, line, lines, {}, filename)
