@@ -5,6 +5,7 @@ May import: the rest of `grader`.
     python -m grader mark LESSON TASK FILE [--json]
     python -m grader mark-all FOLDER [--processes N | --dask ADDRESS] [--trusted]
     python -m grader check [LESSON …] [--seeds N]
+    python -m grader mutants [LESSON [TASK]] [--sample N]
 
 Ends with 0 if the program passes or all is well, with 1 if not, with 2 for wrong usage or a
 fault of ours.
@@ -21,6 +22,7 @@ from pathlib import Path
 from grader.classes.command import add_arguments, mark_all
 from grader.lesson import LESSONS, CourseError, lesson_at
 from grader.marking import Performer, mark_program
+from grader.mutating import Tally, mutate_course
 from grader.report import text_of
 from grader.standing import SEEDS, Report, check_course
 
@@ -37,6 +39,8 @@ def main(arguments: list[str]) -> int:
             return _mark(options)
         if options.command == "mark-all":
             return mark_all(options)
+        if options.command == "mutants":
+            return _mutants(options)
         return _check(options)
     except CourseError as error:
         print(f"grader: {error}", file=sys.stderr)
@@ -47,7 +51,9 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m grader", description="Mark programs and check lessons."
     )
-    commands = parser.add_subparsers(dest="command", required=True, metavar="mark|mark-all|check")
+    commands = parser.add_subparsers(
+        dest="command", required=True, metavar="mark|mark-all|check|mutants"
+    )
     mark = commands.add_parser("mark", help="mark a program")
     mark.add_argument("lesson", metavar="LESSON", help="the name of a lesson's folder")
     mark.add_argument("task", metavar="TASK", help="the name of the task")
@@ -63,7 +69,16 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument(
         "--processes", type=_count, default=2, help="markings done at the same time (2)"
     )
-    for each in (mark, whole, check):
+    mutants = commands.add_parser("mutants", help="change solutions a little: each must fail")
+    mutants.add_argument(
+        "lesson", nargs="?", metavar="LESSON", help="the name of a lesson's folder"
+    )
+    mutants.add_argument("task", nargs="?", metavar="TASK", help="the name of a task")
+    mutants.add_argument("--sample", type=int, help="so many of all mutants, always the same")
+    mutants.add_argument(
+        "--processes", type=_count, default=2, help="markings at the same time (2)"
+    )
+    for each in (mark, whole, check, mutants):
         each.add_argument(
             "--lessons", type=Path, default=LESSONS, help="the folder that holds course.json"
         )
@@ -145,3 +160,41 @@ def _row(report: Report) -> str:
         f"{report.seconds:.1f}",
     )
     return f"{report.slug:34}" + "".join(f"{value:>16}" for value in values)
+
+
+# -- mutants ---------------------------------------------------------------------
+
+_TALLY = ("mutants", "killed", "explained", "open", "seconds")
+
+
+def _mutants(options: argparse.Namespace) -> int:
+    began = time.perf_counter()
+    tallies = mutate_course(
+        options.lessons,
+        options.lesson,
+        options.task,
+        sample=options.sample,
+        processes=options.processes,
+    )
+    total = Tally("all", "")
+    print(f"{'task':56}" + "".join(f"{name:>10}" for name in _TALLY))
+    for each in tallies:
+        print(_tally_row(each))
+        total.mutants += each.mutants
+        total.killed += each.killed
+        total.explained += each.explained
+        total.open += each.open
+        total.seconds += each.seconds
+    print(_tally_row(total))
+    for fault in total.open:
+        print(f"\n{fault}")
+    still = f"{len(total.open)} open" if total.open else "none open"
+    seconds = time.perf_counter() - began
+    print(f"\n{total.mutants} mutants in {seconds:.1f} s: {still}")
+    return 1 if total.open else 0
+
+
+def _tally_row(tally: Tally) -> str:
+    name = f"{tally.lesson} {tally.task}"
+    counts = (tally.mutants, tally.killed, tally.explained, len(tally.open))
+    return f"{name:56}" + "".join(f"{each:>10}" for each in (*counts, f"{tally.seconds:.1f}"))

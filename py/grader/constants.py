@@ -18,8 +18,8 @@ __all__ = ["with_constants"]
 def with_constants(program: str, constants: Mapping[str, Any]) -> str:
     r"""The program with each `NAME = …` at its top level given another value.
 
-    >>> with_constants("CELL = 10\\nHALF = CELL / 2", {"CELL": 4})
-    'CELL = (4)\\nHALF = CELL / 2'
+    >>> with_constants("CELL = 10; HALF = CELL / 2", {"CELL": 4})
+    'CELL = (4); HALF = CELL / 2'
     """
     try:
         tree = ast.parse(program)

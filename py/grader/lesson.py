@@ -244,6 +244,7 @@ class _Reader:
                 self._known_world(document, "tasks", index, "practice", number)
             parts = [task.starter, task.solution, task.check]
             self._used.update(parts)
+            self._used.add(task.path / "equivalent.json")
             missing = [path for path in parts if not path.exists()]
             for path in missing:
                 self._fault(self._path / "lesson.json", line, f"{shown(path)} is missing")
