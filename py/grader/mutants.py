@@ -12,6 +12,7 @@ import ast
 from collections.abc import Callable, Iterator
 from copy import deepcopy
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 __all__ = ["Mutant", "mutants_of"]
@@ -68,7 +69,7 @@ def _changes(tree: ast.Module, lines: range) -> Iterator[_Change]:
                 for new in _of_expression(node, names, values):
                     before = _first_line(statement)
                     _put(owner, field, at, new)
-                    yield statement.lineno, before, lambda each=statement: _first_line(each)
+                    yield statement.lineno, before, partial(_first_line, statement)
                     _put(owner, field, at, node)
 
 
