@@ -43,10 +43,18 @@ class _TooLate(BaseException):
 class Caller:
     """Makes the calls of one group and keeps the answers."""
 
-    def __init__(self, calls: list[dict[str, Any]], program: str, filename: str) -> None:
+    def __init__(
+        self,
+        calls: list[dict[str, Any]],
+        program: str,
+        filename: str,
+        names: dict[str, Any] | None = None,
+    ) -> None:
         self.answers: list[dict[str, Any]] = []
         self.late = False
         self._calls = calls
+        self._names = names or {}
+        """What the program's variables are set to before the first call."""
         self._program = program
         self._filename = filename
         self.late_on: int | None = None
@@ -63,6 +71,7 @@ class Caller:
     def make_calls(self, module: ModuleType) -> None:
         """Make all calls; for `run_program`, once the program has come to its end."""
         sys.settrace(self._before)
+        vars(module).update(self._names)
         for call in self._calls:
             if self.late:
                 self.answers.append({"skipped": True})

@@ -19,7 +19,7 @@ from bugbot.run.limits import Limits
 from bugbot.run.program import run_program
 from bugbot.trace import Trace
 from grader.calling import Caller
-from grader.constants import with_constants
+from grader.constants import unwritten, with_constants
 from grader.fence import fenced
 from grader.limits import PROGRAM_S
 from grader.refusal import refusal
@@ -95,7 +95,7 @@ def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
             continue
         constants = {name: decoded(value) for name, value in group["constants"].items()}
         changed = with_constants(program, constants)
-        caller = Caller(group["calls"], changed, PROGRAM)
+        caller = Caller(group["calls"], changed, PROGRAM, unwritten(program, constants))
         run = partial(
             run_program,
             changed,

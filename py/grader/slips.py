@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from bugbot.run.faults import fault_of
 from grader.asking import Answered, Call
 from grader.compare import exactly, in_any_order, near
 from grader.declare import Mistake
@@ -53,13 +54,24 @@ def _explains(mistake: Mistake, call: Call, answer: dict[str, Any]) -> bool:
         slipped = call.answer_of(mistake.slip)
     except Exception as error:
         fault = answer.get("fault")
-        return isinstance(fault, dict) and fault.get("type") == type(error).__name__
+        return isinstance(fault, dict) and _same_error(fault, error)
     if "value" not in answer:
         return False
+    compare = call.function.compare
     try:
-        return call.function.compare(slipped, decoded(answer["value"]))
+        value = decoded(answer["value"])
     except MalformedError:
         return False
+    if not compare(slipped, value):
+        return False
+    right = call.expected()
+    return compare(right, value) or not compare(right, slipped)
+
+
+def _same_error(fault: dict[str, Any], error: Exception) -> bool:
+    """Whether the learner's error is the mistake's: of its kind, and in the same words."""
+    likewise = fault_of(error, "", "the mistake")
+    return (fault.get("type"), fault.get("message")) == (likewise.type, likewise.message)
 
 
 _LAZY = (
