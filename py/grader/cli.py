@@ -2,7 +2,7 @@
 
 May import: the rest of `grader`.
 
-    python -m grader mark LESSON TASK FILE [--json]
+    python -m grader mark LESSON TASK FILE [--part] [--json]
     python -m grader mark-all FOLDER [--processes N | --dask ADDRESS] [--trusted]
     python -m grader check [LESSON …] [--seeds N]
     python -m grader mutants [LESSON [TASK]] [--sample N]
@@ -20,9 +20,10 @@ import time
 from pathlib import Path
 
 from grader.classes.command import add_arguments, mark_all
-from grader.lesson import LESSONS, CourseError, lesson_at
+from grader.lesson import LESSONS, CourseError, TaskFolder, lesson_at
 from grader.marking import Performer, mark_program
 from grader.mutating import Tally, mutate_course
+from grader.parts import PartError, compose
 from grader.report import text_of
 from grader.standing import SEEDS, Report, check_course
 
@@ -59,6 +60,9 @@ def _parser() -> argparse.ArgumentParser:
     mark.add_argument("task", metavar="TASK", help="the name of the task")
     mark.add_argument("file", metavar="FILE", help="the program's file; - reads standard input")
     mark.add_argument("--json", action="store_true", help="print the mark as JSON, only that")
+    mark.add_argument(
+        "--part", action="store_true", help="the file holds the learner's part, as those of right/"
+    )
     whole = commands.add_parser("mark-all", help="mark the files of a whole class")
     add_arguments(whole, _count)
     check = commands.add_parser("check", help="check one lesson, or all of the course")
@@ -96,6 +100,8 @@ def _mark(options: argparse.Namespace) -> int:
     lesson = lesson_at(options.lessons / options.lesson)
     task = lesson.task(options.task)
     program = _program(options.file)
+    if options.part:
+        program = _composed(task, program)
     with Performer() as performer:
         mark = mark_program(
             task.check.read_text("utf-8"),
@@ -108,6 +114,13 @@ def _mark(options: argparse.Namespace) -> int:
     if mark["ours"] is not None:
         return _USAGE
     return 0 if mark["passed"] else 1
+
+
+def _composed(task: TaskFolder, part: str) -> str:
+    try:
+        return compose(task.starter.read_text("utf-8"), part)
+    except PartError as error:
+        raise CourseError(f"{task.starter}: {error}") from None
 
 
 def _program(file: str) -> str:

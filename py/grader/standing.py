@@ -218,7 +218,7 @@ def _judged(part: _Part, task: TaskFolder, mark: dict[str, Any], shift: int) -> 
         return [Fault(task.check, None, words)]
     earned = failed["likely"] if failed["likely"] is not None else failed["got"]
     if part.kind == "wrong" and part.earns not in earned:
-        return [Fault(part.program, 1, f"should earn {part.earns!r}, but gets: {told}")]
+        return [Fault(part.program, 1, f"should earn {part.earns!r}, but {_earned(failed)}")]
     return []
 
 
@@ -229,6 +229,14 @@ def _named(kind: str) -> str:
 def _told(failed: dict[str, Any]) -> str:
     likely = "" if failed["likely"] is None else f" ({failed['likely']})"
     return f"{failed['title']}: expected {failed['expected']}, got {failed['got']}{likely}"
+
+
+def _earned(failed: dict[str, Any]) -> str:
+    """What a wrong attempt earns, and only that: the text that its first line is held against."""
+    told = f"the check {failed['title']!r}"
+    if failed["likely"] is not None:
+        return f"{told} names the mistake {failed['likely']!r}"
+    return f"{told} names no mistake; it got {failed['got']!r}"
 
 
 def _wrong_starts(

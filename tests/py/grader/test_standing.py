@@ -120,7 +120,16 @@ SOLUTION = (TINY / "one-step/step-up/solution.py").read_text()
         ),
         (
             replace("step-up/wrong/down.py", "it went down", "it fell asleep"),
-            "step-up/wrong/down.py:1: should earn 'it fell asleep', but gets: Up by 20 cm",
+            "step-up/wrong/down.py:1: should earn 'it fell asleep', but the check 'Up by 20 cm' "
+            "names the mistake 'it went down: up the mat y grows'\n",
+        ),
+        (  # what was expected says "the end" too, but only the mistake is held against it
+            replace("step-up/wrong/down.py", "it went down", "the end"),
+            "should earn 'the end', but the check 'Up by 20 cm' names the mistake 'it went down",
+        ),
+        (
+            replace("step-up/check.py", '"it went down: up', '"it went away: up'),
+            "should earn 'it went down', but the check 'Up by 20 cm' names the mistake 'it went aw",
         ),
         (
             replace("step-up/check.py", "hint=0", "hint=3"),
@@ -185,6 +194,22 @@ def test_a_program_is_marked_on_the_command_line(
     assert "where:    world other-wall" in told
     assert cli.main([*asked, str(task / "starter.py"), "--json"]) == 1
     assert json.loads(capsys.readouterr().out)["checks"][0]["status"] == "failed"
+
+
+def test_a_part_alone_is_marked_in_the_starter(
+    folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    starter = folder / "one-step/whole-steps/starter.py"
+    marked = "    # ---- your part ----\n    return 0\n    # ---- end of your part ----\n"
+    write(starter, starter.read_text().replace("    return 0  # replace this\n", marked))
+    write(tmp_path / "part.py", "return int(length // step)\n")
+    asked = ["mark", "one-step", "whole-steps", str(tmp_path / "part.py")]
+    assert cli.main([*asked, "--lessons", str(folder), "--part"]) == 0
+    assert capsys.readouterr().out.splitlines()[-1] == "Passed."
+    assert cli.main([*asked, "--lessons", str(folder)]) == 1
+    write(starter, "# ---- your part ----\n")
+    assert cli.main([*asked, "--lessons", str(folder), "--part"]) == 2
+    assert "once and, below it," in capsys.readouterr().err
 
 
 def test_a_fault_of_ours_is_labelled_so(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
