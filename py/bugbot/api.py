@@ -213,7 +213,7 @@ def scan() -> list[tuple[float, float]]:
     >>> for angle, distance_cm in scan():
     ...     print(angle, distance_cm)  # doctest: +SKIP
     """
-    return active("scan()").sim.scan()
+    return active("scan()").scan()
 
 
 def distance() -> float:
@@ -225,7 +225,7 @@ def distance() -> float:
     >>> if distance() < 20:
     ...     stop()
     """
-    return active("distance()").sim.distance()
+    return active("distance()").distance()
 
 
 def position() -> tuple[float, float]:

@@ -9,6 +9,8 @@ May import: the standard library only.
     ├── NoCameraError         (RuntimeError) position() or heading() in a world without a camera
     ├── NoInputError          (EOFError)     input() in a place without a keyboard
     ├── NoThreadError         (RuntimeError) a thread in a place without threads
+    ├── NoNetworkError        (OSError)      asyncio's network, processes and pipes
+    ├── StuckError            (RuntimeError) a wait that nothing can end
     └── WorldError            (ValueError)   a world that is unknown or broken
 
 The wording: name the call as it is written in the help, say what it wants, say
@@ -31,8 +33,10 @@ __all__ = [
     "BugbotError",
     "NoCameraError",
     "NoInputError",
+    "NoNetworkError",
     "NoRobotError",
     "NoThreadError",
+    "StuckError",
     "WorldError",
     "WrongTypeError",
     "WrongValueError",
@@ -67,6 +71,14 @@ class NoInputError(BugbotError, EOFError):
 
 class NoThreadError(BugbotError, RuntimeError):
     """The program tried to start a thread."""
+
+
+class NoNetworkError(BugbotError, OSError):
+    """The program tried to reach something outside itself."""
+
+
+class StuckError(BugbotError, RuntimeError):
+    """The program waits for something that nobody is there to bring."""
 
 
 class WorldError(BugbotError, ValueError):

@@ -32,6 +32,12 @@ class Guard(Protocol):
     def check(self) -> None:
         """Called in each of the robot's calls; raises when the run must end."""
 
+    def looked(self) -> None:
+        """Called before the depth sensor is used; raises when the run must end."""
+
+    def time_passed(self, now: float) -> None:
+        """Called when simulated time has passed, with the new time [s]."""
+
     def allow(self, now: float, seconds: float) -> float:
         """How many of these seconds may still pass [s]."""
 
@@ -68,17 +74,34 @@ class Link:
         """End the run here if it must end."""
         self._guard.check()
 
-    def advance(self, seconds: float, until_blocked: bool = False) -> None:
-        """Let simulated time pass, with the learner's line recorded first."""
-        line = self.learner_line()
+    def advance(self, seconds: float, until_blocked: bool = False, line: int | None = None) -> bool:
+        """Let simulated time pass, with the learner's line recorded first; whether it was blocked.
+
+        line  where the program waits, if that is not the line being carried out
+        """
+        line = line or self.learner_line()
+        before = self.sim.t
         if line is not None and line != self._line:
             self._line = line
             self.trace.add("line", self.sim.t, line)
         allowed = self._guard.allow(self.sim.t, seconds)
         blocked = self.sim.advance(min(seconds, allowed), until_blocked)
+        if self.sim.t != before:
+            self._guard.time_passed(self.sim.t)
         if allowed < seconds and not blocked:
             self._guard.time_is_up()
         self._guard.check()
+        return blocked
+
+    def scan(self) -> list[tuple[float, float]]:
+        """The eight readings: (angle from straight ahead [degrees], distance [cm])."""
+        self._guard.looked()
+        return self.sim.scan()
+
+    def distance(self) -> float:
+        """The reading straight ahead [cm]."""
+        self._guard.looked()
+        return self.sim.distance()
 
     def go_straight(self, per_cent: float, cm: float) -> None:
         """Drive ahead, or back if negative, until this far or blocked; then stop."""

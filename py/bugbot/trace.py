@@ -130,6 +130,8 @@ class Trace:
         self.points: array[int] = array("h")
         self.bytes = 0
         """Rough size so far, for the limit; counts what has been taken as well."""
+        self.bytes_of = {"scan": 0, "print": 0, "layer": 0}
+        """How much of it these take."""
         self._quantise = _Quantiser()
         self._drawn: dict[str, tuple[bytes, int]] = {}
         self._taken_points = 0
@@ -139,18 +141,25 @@ class Trace:
         self.events.append(event)
         self.bytes += 64
         if event[0] == "scan":
-            self.bytes += 8 * len(event[5])
+            self._grow("scan", 64, 8 * len(event[5]))
 
     def write(self, t: float, stream: str, text: str) -> None:
         """Append printed text; joins the event before if that is the same stream and time."""
-        self.bytes += len(text)
+        length = len(text)
+        self.bytes += length
+        self.bytes_of["print"] += length
         if self.events:
             last = self.events[-1]
             # Joining is bounded: a million prints in one tick must not copy a growing text.
             if last[0] == "print" and last[1] == t and last[2] == stream and len(last[3]) < 1000:
                 self.events[-1] = ("print", t, stream, last[3] + text)
                 return
+        self.bytes_of["print"] += 64
         self.add("print", t, stream, text)
+
+    def _grow(self, kind: str, counted: int, new: int) -> None:
+        self.bytes += new
+        self.bytes_of[kind] += counted + new
 
     def layer(
         self,
@@ -177,9 +186,10 @@ class Trace:
             first = self._taken_points + len(self.points) // 2
             self.points.extend(stored)
             self._drawn[name] = (drawn, first)
-            self.bytes += len(drawn)
+            self._grow("layer", 0, len(drawn))
         if texts:
-            self.bytes += len("".join(texts))
+            self._grow("layer", 0, len("".join(texts)))
+        self.bytes_of["layer"] += 64
         self.add("layer", t, name, colour, shape, size, first, len(stored) // 2, texts)
 
     # -- handing over --------------------------------------------------------

@@ -1,7 +1,7 @@
 """Python as a program finds it during a run, and put back as it was afterwards.
 
 May import: the standard library, `bugbot.own_clock`, `bugbot.checks`, `bugbot.errors`,
-`bugbot.link`, `bugbot.run.console`.
+`bugbot.link`, the rest of `bugbot.run`.
 
 A program may do as it likes with `random`, `time`, `builtins` and the rest: the
 same program must give the same trace whatever ran before it, and the host (a
@@ -26,11 +26,14 @@ from typing import Any, NoReturn, TextIO, cast
 
 import bugbot
 from bugbot import api, checks
-from bugbot.errors import NoThreadError
 from bugbot.link import Link
 from bugbot.own_clock import simulated_time
+from bugbot.run.chance import SeededChance
+from bugbot.run.clocks import clocks_elsewhere
 from bugbot.run.console import NoKeyboard, Screen, no_debugger, no_input
+from bugbot.run.on_import import changed_on_import
 from bugbot.run.slips.case import lines_of
+from bugbot.run.threads import no_threads
 
 __all__ = ["hosted"]
 
@@ -52,17 +55,20 @@ def hosted(
             undo.callback(_put_back, vars(each), dict(vars(each)))
         undo.callback(_put_back_entry, sys.modules, "__main__", sys.modules.get("__main__"))
         undo.callback(_put_back_entry, linecache.cache, filename, linecache.cache.get(filename))
-        undo.callback(random.setstate, random.getstate())
         undo.callback(sys.setrecursionlimit, sys.getrecursionlimit())
         undo.callback(sys.settrace, sys.gettrace())
-        undo.callback(setattr, threading.Thread, "start", threading.Thread.start)
         undo.enter_context(warnings.catch_warnings())
-        undo.enter_context(simulated_time(link.now, _sleeper(link)))
+        sleep = _sleeper(link)
+        undo.enter_context(simulated_time(link.now, sleep))
+        undo.enter_context(no_threads(sleep))
+        chance = SeededChance(seed)
+        undo.enter_context(chance.at_work())
+        changes = {**clocks_elsewhere(link, sleep), **chance.changes()}
+        undo.enter_context(changed_on_import(changes, chance.while_loading))
 
         sys.modules["__main__"] = module
         lines = [f"{line}\n" for line in lines_of(source)]
         linecache.cache[filename] = (len(source), None, lines, filename)
-        random.seed(seed)
         sys.setrecursionlimit(_depth() + _RECURSION)
         sys.stdout, sys.stderr = cast(TextIO, out), cast(TextIO, err)
         sys.stdin = cast(TextIO, NoKeyboard())
@@ -70,7 +76,6 @@ def hosted(
         sys.argv, sys.path = [filename], sys.path[:]
         vars(builtins).update(input=no_input, exit=sys.exit, quit=sys.exit)
         vars(os).update(_exit=_leave, abort=_leave)
-        threading.Thread.start = _no_thread  # type: ignore[assignment,method-assign]
         _show_warnings_in(filename)
         yield
 
@@ -88,13 +93,6 @@ def _sleeper(link: Link) -> Any:
 def _leave(status: object = None) -> NoReturn:
     """os._exit() during a run: the end of the program, not of its host."""
     raise SystemExit(status)
-
-
-def _no_thread(_thread: threading.Thread) -> NoReturn:
-    """Thread.start() during a run: the same everywhere, for a browser has no threads."""
-    raise NoThreadError(
-        "a program can't start threads: the robot's programs do one thing after another"
-    )
 
 
 def _depth() -> int:

@@ -1,6 +1,6 @@
 """How long, how much and how far a run may go, and what ends it.
 
-May import: the standard library, `bugbot.trace`.
+May import: the standard library, `bugbot.trace`, `bugbot.run.standstill`.
 
 `Limits` are the figures. `Meter` counts against them and raises `LimitReached`,
 which is no `Exception`, so `except Exception` does not swallow it. A program that
@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from types import FrameType
 from typing import Any, NoReturn
 
+from bugbot.run.standstill import Standstill
 from bugbot.trace import Trace
 
 __all__ = ["LimitReached", "Limits", "Meter"]
@@ -33,6 +34,15 @@ class Limits:
     """Characters printed."""
     trace_bytes: int = 64_000_000
     """Rough size of the trace."""
+
+
+_RECORDED = {
+    "scan": ("readings of the depth sensor", "Put wait(0.1) into the loop that takes them."),
+    "print": ("printed text", "Print less often."),
+    "layer": ("drawing", "Draw less often, or fewer points."),
+    "rest": ("plots, lights and movement", "Put a longer wait() into the loop."),
+}
+"""What may have filled a trace -> in words, and what to do."""
 
 
 class LimitReached(BaseException):
@@ -56,6 +66,8 @@ class Meter:
         self._trace = trace
         self._filename = filename
         self._on_flush = on_flush
+        self._still = Standstill(trace.header["program"], filename)
+        self._now = 0.0
         self.print_left = limits.print_bytes
         """Characters that may still be printed."""
 
@@ -64,12 +76,23 @@ class Meter:
         if self.over is not None:
             self._insist(self.over)
         if self._trace.bytes > self.limits.trace_bytes:
-            self._end(
-                f"after recording {self.limits.trace_bytes / 1e6:g} MB of drawing, scans and "
-                "movement: one run may record no more. Draw less often, or fewer points."
-            )
+            self._too_much_recorded()
+        endless = self._still.called(sys._getframe(1))
+        if endless is not None:
+            self._end_still(endless)
         if self._on_flush is not None:
             self._on_flush()
+
+    def time_passed(self, now: float) -> None:
+        """Simulated time has come to this moment [s]."""
+        self._now = now
+        self._still.time_passed()
+
+    def looked(self) -> None:
+        """Raise if the depth sensor is used again and again and no time passes."""
+        endless = self._still.looked(sys._getframe(1))
+        if endless is not None:
+            self._end_still(endless)
 
     def allow(self, now: float, seconds: float) -> float:
         """How many of these seconds may still pass [s]."""
@@ -86,16 +109,29 @@ class Meter:
         """The run is over: it computes, in this frame, and no time passes. The watchdog raises."""
         self.line = self._line_of(frame)
         self.over = LimitReached(
-            f"after {self.limits.silent_s:g} s of computing in which no simulated time passed: "
-            "a loop that goes on and on needs a wait() in it."
+            f"after {self.limits.silent_s:g} s of computing in which no simulated time passed. "
+            "If a loop waits for the robot there, put wait(0.1) into it."
         )
 
     def too_much_printed(self) -> NoReturn:
         """End the run: it has printed all it may."""
         self._end(
             f"after printing {self.limits.print_bytes / 1e6:g} MB: one run may print no more. "
-            "Is there a print() in a loop that never waits?"
+            "Is there a print() in a loop that never waits? Put wait(0.1) into the loop."
         )
+
+    def _too_much_recorded(self) -> NoReturn:
+        parts = self._trace.bytes_of
+        rest = self._trace.bytes - sum(parts.values())
+        kind, most = max(parts.items(), key=lambda part: part[1])
+        what, advice = _RECORDED[kind if most >= rest else "rest"]
+        self._end(
+            f"after recording {self.limits.trace_bytes / 1e6:g} MB, most of it {what}: one run may "
+            f"record no more. {advice}"
+        )
+
+    def _end_still(self, words: str) -> NoReturn:
+        self._end(words.format(now=f"{self._now:g}"))
 
     def _end(self, words: str) -> NoReturn:
         self.line = self._line_of(sys._getframe(1))
