@@ -50,10 +50,14 @@ def run(
     seed: int,
     limits_json: str,
     send: Callable[[str, Any], None],
+    keep: Callable[[float, str, str], None],
+    still: Callable[[int | None], None],
 ) -> None:
     """Run a program and send its trace; the last chunk holds the end event.
 
     `send(events, points)` takes the rows as JSON text and the new points as a Uint8Array.
+    `keep(t, stream, text)` hears what is printed at once, in case the interpreter breaks before
+    it is sent. `still(line)` hears that the program computes and no simulated time passes.
     """
     sender = _Sender(send)
     run_program(
@@ -63,5 +67,7 @@ def run(
         limits=Limits(**json.loads(limits_json)),
         trace_ready=sender.follow,
         on_flush=sender.flush_if_due,
+        on_print=keep,
+        on_still=still,
     )
     sender.flush()

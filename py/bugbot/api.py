@@ -17,7 +17,7 @@ from typing import Any
 
 from bugbot import checks
 from bugbot.errors import WrongTypeError, WrongValueError, got
-from bugbot.link import active
+from bugbot.link import Link, active
 
 __all__ = [
     "Robot",
@@ -72,9 +72,9 @@ def drive(forward: float, right: float, turn: float) -> None:
     call = "drive(forward, right, turn)"
     link = active(call)
     link.sim.drive(
-        checks.number(call, "forward", forward, _PER_CENT),
-        checks.number(call, "right", right, _PER_CENT),
-        checks.number(call, "turn", turn, _PER_CENT),
+        _per_cent(link, call, "forward", forward),
+        _per_cent(link, call, "right", right),
+        _per_cent(link, call, "turn", turn),
     )
 
 
@@ -109,7 +109,7 @@ def backward(speed: float = 50, distance: float | None = None) -> None:
 
 def _straight(call: str, speed: Any, distance: Any, sign: float) -> None:
     link = active(call)
-    per_cent = checks.number(call, "speed", speed, _PER_CENT)
+    per_cent = _per_cent(link, call, "speed", speed)
     if distance is None:
         link.sim.drive(sign * per_cent, 0.0, 0.0)
         return
@@ -121,6 +121,19 @@ def _straight(call: str, speed: Any, distance: Any, sign: float) -> None:
     link.go_straight(sign * per_cent, cm)
 
 
+def _per_cent(link: Link, call: str, argument: str, value: Any, wants: str = _PER_CENT) -> float:
+    """A speed, which counts as the nearest of -100 to 100; beyond that the program is told."""
+    per_cent = checks.number(call, argument, value, wants)
+    if abs(per_cent) > 100:
+        most = "100" if per_cent > 0 else "-100"
+        link.note(
+            argument,
+            f"{call} got {argument} {per_cent:g}, and the robot can't go faster than 100 per cent: "
+            f"it counts as {most}",
+        )
+    return per_cent
+
+
 def left(speed: float = 50) -> None:
     """Spin to the left (counter-clockwise) on the spot, until told otherwise.
 
@@ -130,7 +143,8 @@ def left(speed: float = 50) -> None:
     >>> wait(1)
     """
     call = "left(speed)"
-    active(call).sim.drive(0.0, 0.0, -checks.number(call, "speed", speed, _PER_CENT))
+    link = active(call)
+    link.sim.drive(0.0, 0.0, -_per_cent(link, call, "speed", speed))
 
 
 def right(speed: float = 50) -> None:
@@ -142,7 +156,8 @@ def right(speed: float = 50) -> None:
     >>> wait(1)
     """
     call = "right(speed)"
-    active(call).sim.drive(0.0, 0.0, checks.number(call, "speed", speed, _PER_CENT))
+    link = active(call)
+    link.sim.drive(0.0, 0.0, _per_cent(link, call, "speed", speed))
 
 
 def turn(degrees: float, speed: float = 30) -> None:
@@ -157,7 +172,7 @@ def turn(degrees: float, speed: float = 30) -> None:
     call = "turn(degrees, speed)"
     link = active(call)
     angle = checks.number(call, "degrees", degrees, "a number of degrees")
-    per_cent = checks.number(call, "speed", speed, _SPEED)
+    per_cent = _per_cent(link, call, "speed", speed, _SPEED)
     if per_cent < _SLOWEST:
         raise WrongValueError(f"{call} wants {_SPEED} for speed; it got {got(speed)}")
     link.turn_by(angle, per_cent)

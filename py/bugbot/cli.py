@@ -21,6 +21,7 @@ from bugbot import worlds
 from bugbot.errors import BugbotError, WorldError
 from bugbot.picture import PictureError, save_picture
 from bugbot.run import Limits, outcome_of, run_program
+from bugbot.run.watchdog import STILL_S
 from bugbot.supervisor import supervised
 from bugbot.trace import Trace
 
@@ -85,9 +86,19 @@ def _run(options: argparse.Namespace, limits: Limits, in_child: bool) -> int:
             limits=limits,
             filename=name,
             trace_ready=trace_ready,
+            on_still=tell_of_standstill,
             on_stuck=give_up if in_child else None,
         )
         return report(trace)
+
+    def tell_of_standstill(line: int | None) -> None:
+        where = "" if line is None else f" on line {line}"
+        print(
+            f"Still computing{where}: no simulated time has passed for {STILL_S:g} s. If a loop "
+            "waits for the robot there, put wait(0.1) into it.",
+            file=err,
+            flush=True,
+        )
 
     def give_up(trace: Trace) -> None:
         # The program swallows every interruption: all that is left is to go.
@@ -123,8 +134,7 @@ def _report(trace: Trace, options: argparse.Namespace) -> int:
     if options.json:
         print(json.dumps(outcome, ensure_ascii=False))
     else:
-        for event in trace.of_kind("print"):
-            print(event["text"], end="", file=getattr(sys, event["stream"]))
+        _show_what_was_said(trace)
         for fault in trace.of_kind("fault"):
             print(fault["traceback"], end="", file=sys.stderr)
             if fault["hint"] is not None:
@@ -135,6 +145,21 @@ def _report(trace: Trace, options: argparse.Namespace) -> int:
     if options.png is not None:
         save_picture(trace, options.png)
     return 0 if outcome["status"] == "finished" else 1
+
+
+def _show_what_was_said(trace: Trace) -> None:
+    """What the program printed, and the notes on its calls, in the order they came."""
+    begun = False
+    for kind, _, *values in trace.events:
+        if kind == "print":
+            stream, text = values
+            print(text, end="", file=getattr(sys, stream))
+            begun = not text.endswith("\n")
+        elif kind == "note":
+            line, text = values
+            sys.stdout.flush()
+            print(*([""] if begun else []), f"Line {line}: {text}", sep="\n", file=sys.stderr)
+            begun = False
 
 
 def _save(trace: Trace, path: Path) -> None:

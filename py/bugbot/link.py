@@ -14,7 +14,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from math import copysign, tau
+from math import copysign, hypot, tau
 from typing import Any, Protocol
 
 from bugbot.errors import NoCameraError, NoRobotError
@@ -24,6 +24,13 @@ from bugbot.trace import Trace
 from bugbot.worlds import World
 
 __all__ = ["Guard", "Link", "active", "connected"]
+
+
+_SHORT_CM = 0.05
+"""A distance that is short by less than this has been driven [cm]."""
+
+_MOST_NOTES = 20
+"""Of one run."""
 
 
 class Guard(Protocol):
@@ -54,6 +61,7 @@ class Link:
         self.filename = filename
         self.small_turns: list[tuple[int | None, float]] = []
         """Line and degrees of turns small enough to be radians by mistake."""
+        self._noted: set[tuple[int, str]] = set()
         self._guard = guard
         self._line: int | None = None
 
@@ -107,8 +115,15 @@ class Link:
         """Drive ahead, or back if negative, until this far or blocked; then stop."""
         self.sim.drive(per_cent, 0.0, 0.0)
         speed = abs(speeds(per_cent, 0.0, 0.0)[0])
-        self.advance(cm / speed, until_blocked=True)
+        x, y = self.sim.x, self.sim.y
+        blocked = self.advance(cm / speed, until_blocked=True)
         self.sim.drive(0.0, 0.0, 0.0)
+        driven = hypot(self.sim.x - x, self.sim.y - y)
+        if blocked and cm - driven > _SHORT_CM:
+            self.note(
+                "stopped short",
+                f"the robot drove {driven:.1f} cm and not {cm:g}: it touched {self.sim.touched()}",
+            )
 
     def turn_by(self, degrees: float, per_cent: float) -> None:
         """Turn on the spot by these degrees, clockwise positive; then stop."""
@@ -118,6 +133,13 @@ class Link:
         spin = abs(speeds(0.0, 0.0, per_cent)[2])
         self.advance(abs(degrees) / spin)
         self.sim.drive(0.0, 0.0, 0.0)
+
+    def note(self, about: str, text: str) -> None:
+        """Tell, once a line, of a call that did not do all that it was told."""
+        line = self.learner_line()
+        if line is not None and (line, about) not in self._noted and len(self._noted) < _MOST_NOTES:
+            self._noted.add((line, about))
+            self.trace.add("note", self.sim.t, line, text)
 
     def record(self, kind: str, *values: Any) -> None:
         """Record an event of the present time."""

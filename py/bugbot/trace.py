@@ -21,6 +21,7 @@ layer        a whole named layer drawn; replaces the one of that name.
              string for each point when the shape is text, else null
 plot         one point of a named line of the chart
 print        text written; `stream` is stdout or stderr
+note         what the program should know of a call on this line that did not do all it was told
 line         the learner's line that is being carried out from this time on
 led          colour of the light, 0 to 255 each
 beep         a tone, `freq` in Hz for `ms` milliseconds
@@ -72,6 +73,7 @@ KINDS: dict[str, tuple[str, ...]] = {
     "layer": ("t", "name", "colour", "shape", "size", "first", "count", "texts"),
     "plot": ("t", "name", "value"),
     "print": ("t", "stream", "text"),
+    "note": ("t", "line", "text"),
     "line": ("t", "line"),
     "led": ("t", "red", "green", "blue"),
     "beep": ("t", "freq", "ms"),

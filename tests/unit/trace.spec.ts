@@ -71,7 +71,7 @@ test.describe("look-ups by time", () => {
     const trace = twoSeconds();
     expect(trace.consoleText(0.9)).toBe("go\n");
     expect(trace.consoleText(1)).toBe("go\noh\n");
-    expect(trace.printsUpTo(2)).toBe(3);
+    expect(trace.consoleUpTo(2)).toBe(3);
   });
 
   test("line, light, tone and touches", () => {

@@ -13,7 +13,7 @@ from bugbot.errors import NoInputError, WrongTypeError, got
 from bugbot.run.limits import Meter
 from bugbot.trace import Trace, storable
 
-__all__ = ["NoKeyboard", "Screen", "no_debugger", "no_input"]
+__all__ = ["NoKeyboard", "Print", "Screen", "no_debugger", "no_input"]
 
 _NO_INPUT = (
     "a program can't ask for typed input while the robot runs: put the value in the program, "
@@ -53,15 +53,34 @@ class NoKeyboard(io.TextIOBase):
         """Stay open: Python's own exit() closes sys.stdin first."""
 
 
+Print = Callable[[float, str, str], None]
+"""Is told of printed text: the simulated time [s], the stream, the text."""
+
+
+def _both(first: Print, second: Print) -> Print:
+    def write(t: float, stream: str, text: str) -> None:
+        first(t, stream, text)
+        second(t, stream, text)
+
+    return write
+
+
 class Screen(io.TextIOBase):
     """sys.stdout or sys.stderr during a run: everything written becomes print events."""
 
     encoding = "utf-8"
     errors = "replace"
 
-    def __init__(self, stream: str, trace: Trace, now: Callable[[], float], meter: Meter) -> None:
+    def __init__(
+        self,
+        stream: str,
+        trace: Trace,
+        now: Callable[[], float],
+        meter: Meter,
+        on_print: Print | None = None,
+    ) -> None:
         self.name = stream
-        self._write = trace.write
+        self._write = trace.write if on_print is None else _both(trace.write, on_print)
         self._now = now
         self._meter = meter
 

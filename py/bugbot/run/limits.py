@@ -80,6 +80,10 @@ class Meter:
         endless = self._still.called(sys._getframe(1))
         if endless is not None:
             self._end_still(endless)
+        self.flush()
+
+    def flush(self) -> None:
+        """Give the page what has been recorded so far, if it wants it now."""
         if self._on_flush is not None:
             self._on_flush()
 
@@ -107,7 +111,7 @@ class Meter:
 
     def silence(self, frame: FrameType | None) -> None:
         """The run is over: it computes, in this frame, and no time passes. The watchdog raises."""
-        self.line = self._line_of(frame)
+        self.line = self.line_of(frame)
         self.over = LimitReached(
             f"after {self.limits.silent_s:g} s of computing in which no simulated time passed. "
             "If a loop waits for the robot there, put wait(0.1) into it."
@@ -134,11 +138,12 @@ class Meter:
         self._end(words.format(now=f"{self._now:g}"))
 
     def _end(self, words: str) -> NoReturn:
-        self.line = self._line_of(sys._getframe(1))
+        self.line = self.line_of(sys._getframe(1))
         self.over = LimitReached(words)
         raise self.over
 
-    def _line_of(self, frame: FrameType | None) -> int | None:
+    def line_of(self, frame: FrameType | None) -> int | None:
+        """The program's line that this frame is on, or one that called it; None outside it."""
         while frame is not None and frame.f_code.co_filename != self._filename:
             frame = frame.f_back
         return None if frame is None else frame.f_lineno

@@ -18,6 +18,7 @@ def outcome_of(trace: Trace) -> dict[str, Any]:
     status   finished, fault, stopped or limit; `message` says it in words
     seconds  of simulated time
     console  all that was printed, both streams in order
+    notes    what calls did not do as they were told: line and text of each
     pose     where the robot ended: x, y [cm], heading [degrees]
     series   line of the chart -> [[t, value], …]
     layers   name -> its last drawing: shape, size, colour, points [[x, y], …] in cm, and texts
@@ -41,6 +42,7 @@ def outcome_of(trace: Trace) -> dict[str, Any]:
         "message": end["message"],
         "seconds": end["t"],
         "console": "".join(event["text"] for event in trace.of_kind("print")),
+        "notes": [{key: note[key] for key in ("line", "text")} for note in trace.of_kind("note")],
         "pose": pose,
         "series": series,
         "layers": _layers(trace),

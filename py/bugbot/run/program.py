@@ -12,12 +12,12 @@ from typing import Any, TextIO, cast
 
 from bugbot import worlds
 from bugbot.link import Link, connected
-from bugbot.run.console import Screen
+from bugbot.run.console import Print, Screen
 from bugbot.run.faults import fault_of, learner_lines
 from bugbot.run.host import hosted
 from bugbot.run.limits import LimitReached, Limits, Meter
 from bugbot.run.slips.quiet import remarks
-from bugbot.run.watchdog import watched
+from bugbot.run.watchdog import Still, watched
 from bugbot.trace import Trace, storable
 from bugbot.worlds import World
 
@@ -39,6 +39,8 @@ def run_program(
     on_flush: Callable[[], None] | None = None,
     trace_ready: Callable[[Trace], None] | None = None,
     on_stuck: Callable[[Trace], None] | None = None,
+    on_still: Still | None = None,
+    on_print: Print | None = None,
     then: Callable[[ModuleType], None] | None = None,
 ) -> Trace:
     """Run a program on a world and return its trace.
@@ -52,6 +54,9 @@ def run_program(
     trace_ready  is handed the trace before the program starts
     on_stuck     called from another thread, with the trace at its end, if the program computes
                  past the limit and can't be interrupted; it should end the process
+    on_still     called, once a standstill, when the program has computed for `STILL_S` of real
+                 time and no simulated time has passed; is told the line. No part of the trace
+    on_print     called with all that is printed, at once: for a host whose interpreter may break
     then         called with the program's module when the program has come to its end, or has
                  stopped with an ordinary error, still as a part of the run
 
@@ -71,8 +76,8 @@ def run_program(
         trace_ready(trace)
     module = ModuleType("__main__")
     module.__file__ = filename
-    out = Screen("stdout", trace, link.now, meter)
-    err = Screen("stderr", trace, link.now, meter)
+    out = Screen("stdout", trace, link.now, meter, on_print)
+    err = Screen("stderr", trace, link.now, meter, on_print)
 
     def end(status: str, message: str) -> None:
         link.sim.finish()
@@ -83,7 +88,8 @@ def run_program(
         if on_stuck is not None:
             on_stuck(trace)
 
-    with connected(link), watched(meter, link.now, filename, give_up if on_stuck else None):
+    give_up_at = give_up if on_stuck else None
+    with connected(link), watched(meter, link.now, filename, give_up_at, on_still):
         with hosted(module, source, seed, link, out, err):
             error = _carry_out(source, module, filename, then)
         # Python is the host's again, whatever the program has done to it. But the text of an

@@ -87,11 +87,11 @@ class Standstill:
     def _counts(self, loop: ast.While, frame: FrameType) -> bool:
         """Whether a number or a length that the loop asks about has changed since last time."""
         tally = [
-            value if type(value) is int else len(value)
+            value if isinstance(value, int) else len(value)
             for each in ast.walk(loop.test)
             if isinstance(each, ast.Name)
             for value in (frame.f_locals.get(each.id, frame.f_globals.get(each.id)),)
-            if type(value) in (int, list, dict, set)
+            if isinstance(value, int | list | dict | set)
         ]
         before = self._tallies.get(loop)
         self._tallies[loop] = tally

@@ -4,7 +4,8 @@ May import: the standard library, `bugbot.run.limits`.
 
 Under plain CPython a thread watches the simulated clock and, when it has stood
 still for too long, interrupts the program again and again until it gives in. In a
-browser there are no threads and no signals: the page watches, and ends the worker.
+browser there are no threads: the worker pretends that Ctrl-C is pressed a few times a second,
+which gives Python a moment to look at the clock, and the page ends the worker.
 """
 
 from __future__ import annotations
@@ -20,7 +21,13 @@ from types import FrameType
 
 from bugbot.run.limits import Meter
 
-__all__ = ["watched"]
+__all__ = ["STILL_S", "Still", "watched"]
+
+Still = Callable[[int | None], None]
+"""Is told, once a standstill, that no simulated time passes, and on which line of the program."""
+
+STILL_S = 1.5
+"""So long may a program compute before it is told that no simulated time passes [s]."""
 
 _LOOK_EVERY_S = 0.25
 _INTERRUPT_EVERY_S = 0.02
@@ -30,15 +37,24 @@ _GRACE_S = 2.0
 
 @contextmanager
 def watched(
-    meter: Meter, now: Callable[[], float], filename: str, give_up: Callable[[], None] | None
+    meter: Meter,
+    now: Callable[[], float],
+    filename: str,
+    give_up: Callable[[], None] | None,
+    on_still: Still | None = None,
 ) -> Iterator[None]:
     """Inside this block, silence longer than the limit is ended.
 
     `give_up` is called from the watching thread if the program can't be interrupted (a
     calculation inside C that never returns).
     """
-    if sys.platform == "emscripten" or threading.current_thread() is not threading.main_thread():
+    if threading.current_thread() is not threading.main_thread():
         yield
+        return
+    clock = _Clock(meter, now, on_still)
+    if sys.platform == "emscripten":
+        with _looking(clock, meter, filename):
+            yield
         return
 
     def on_interrupt(_signal: int, frame: FrameType | None) -> None:
@@ -51,7 +67,7 @@ def watched(
             frame = frame.f_back
 
     done = threading.Event()
-    thread = threading.Thread(target=_watch, args=(meter, now, done, give_up), daemon=True)
+    thread = threading.Thread(target=_watch, args=(meter, clock, done, give_up), daemon=True)
     before = signal.signal(signal.SIGINT, on_interrupt)
     thread.start()
     try:
@@ -62,22 +78,61 @@ def watched(
         signal.signal(signal.SIGINT, before)
 
 
+class _Clock:
+    """How long simulated time has stood still, in real time; tells of it once."""
+
+    def __init__(self, meter: Meter, now: Callable[[], float], on_still: Still | None) -> None:
+        self._meter = meter
+        self._now = now
+        self._on_still = on_still
+        self._seen, self._since, self._told = now(), monotonic(), False
+
+    def still_s(self, find: Callable[[], FrameType | None]) -> float:
+        """How long [s], 0 if time has passed since last asked; `find` gives what computes."""
+        if self._now() != self._seen:
+            self._seen, self._since, self._told = self._now(), monotonic(), False
+            return 0.0
+        still = monotonic() - self._since
+        if still >= STILL_S and not self._told and self._on_still is not None:
+            self._told = True
+            self._on_still(self._meter.line_of(find()))
+        return still
+
+
+@contextmanager
+def _looking(clock: _Clock, meter: Meter, filename: str) -> Iterator[None]:
+    """Inside this block each Ctrl-C is a look at the clock, and no more."""
+
+    def look(_signal: int, frame: FrameType | None) -> None:
+        clock.still_s(lambda: frame)
+        # In the middle of our own code something may be half written.
+        if frame is not None and frame.f_code.co_filename == filename:
+            meter.flush()
+
+    before = signal.signal(signal.SIGINT, look)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
 def _watch(
     meter: Meter,
-    now: Callable[[], float],
+    clock: _Clock,
     done: threading.Event,
     give_up: Callable[[], None] | None,
 ) -> None:
-    seen, since = now(), monotonic()
+    def computing() -> FrameType | None:
+        return sys._current_frames().get(threading.main_thread().ident or 0)
+
     while not done.wait(min(_LOOK_EVERY_S, meter.limits.silent_s / 4)):
-        if now() != seen:
-            seen, since = now(), monotonic()
-        elif meter.over is not None or monotonic() - since > meter.limits.silent_s:
+        still = clock.still_s(computing)
+        if still > meter.limits.silent_s or (still > 0 and meter.over is not None):
             break
     else:
         return
     if meter.over is None:
-        meter.silence(sys._current_frames().get(threading.main_thread().ident or 0))
+        meter.silence(computing())
     interrupted = monotonic()
     while monotonic() - interrupted < _GRACE_S:
         interrupt_main()

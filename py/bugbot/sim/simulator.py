@@ -30,6 +30,8 @@ STEP_S = 0.02
 _POSE_EVERY_STEPS = 2
 """A moving robot's pose is recorded every so many steps, 0.04 s: smooth when joined by lines."""
 
+_TOUCHING_CM = 1e-6
+
 _BATTERY_S = 7200.0
 """How long a full battery lasts [s]."""
 
@@ -56,6 +58,8 @@ class Simulator:
         self._chance = generator(seed, "depth")
         self._speeds = (0.0, 0.0, 0.0)
         self._bumped = False
+        self._touched = (0.0, 0.0)
+        self._obstacles = world.obstacles
         self._place = (self.x, self.y, self.heading)
         self._recorded_t = self._still_until = 0.0
         trace.add("pose", 0.0, *self._place)
@@ -123,6 +127,7 @@ class Simulator:
             self._bumped = False
         if touch is None:
             return False
+        self._touched = touch[1:]
         if not self._bumped:
             self._bumped = True
             self._record_standing()  # it ended before this moment
@@ -138,6 +143,13 @@ class Simulator:
     def distance(self) -> float:
         """The reading straight ahead [cm]."""
         return self._look(depth.AHEAD)[0][1]
+
+    def touched(self) -> str:
+        """What stopped the robot last, and where, in words."""
+        x, y = self._touched
+        where = f"at ({x:.1f}, {y:.1f})"
+        names = (f"the {each.name}" for each in self._obstacles if each.gap(x, y) < _TOUCHING_CM)
+        return f"{next(names, 'the wall round the mat')} {where}"
 
     def battery(self) -> float:
         """What is left in the battery [per cent]."""

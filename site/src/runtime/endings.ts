@@ -6,8 +6,8 @@ import type { DeathReason, Limits } from "./messages.ts";
 export type Ending =
   | { kind: "finished" }
   | { kind: "stopped" }
-  /** Computed for too long with no simulated time passing. */
-  | { kind: "silent" }
+  /** Computed for too long with no simulated time passing; on which line, if that is known. */
+  | { kind: "silent"; line: number | null }
   | { kind: "died"; reason: DeathReason; line: number | null; message: string };
 
 /** The events that complete a trace whose program could not end it itself. */
@@ -21,8 +21,8 @@ export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
       return end(
         t,
         "limit",
-        `Stopped after ${limits.silent_s} s of computing in which no simulated time passed: ` +
-          "a loop that goes on and on needs a wait() in it.",
+        `Stopped${onLine(ending.line)} after ${limits.silent_s} s of computing in which no simulated ` +
+          "time passed. If a loop waits for the robot there, put wait(0.1) into it.",
       );
     case "finished":
       return fault(
@@ -64,6 +64,18 @@ export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
       );
     }
   }
+}
+
+/** What a page says while a program computes and simulated time stands still. */
+export function stillWords(line: number | null): string {
+  return (
+    `Still computing${onLine(line)}: no simulated time is passing. ` +
+    "If a loop waits for the robot there, put wait(0.1) into it."
+  );
+}
+
+function onLine(line: number | null): string {
+  return line === null ? "" : ` on line ${line}`;
 }
 
 function end(t: number, status: Status, message: string): Chunk {

@@ -90,6 +90,8 @@ export type FromWorker =
   | { kind: "imports"; id: number; missing: string[]; hasStdlib: boolean }
   /** Events since the last chunk; `points` is an Int16Array's buffer, transferred. */
   | { kind: "chunk"; id: number; events: string; points: ArrayBuffer }
+  /** The program computes and no simulated time passes; on which of its lines, if that is known. */
+  | { kind: "still"; id: number; line: number | null }
   /** The program has ended by itself; its trace holds an end event. */
   | { kind: "finished"; id: number }
   /** The judge wants jobs done, or gives the mark: `readStep` reads it. */
@@ -130,6 +132,8 @@ export function isFromWorker(value: unknown): value is FromWorker {
       );
     case "chunk":
       return hasId && typeof message.events === "string" && message.points instanceof ArrayBuffer;
+    case "still":
+      return hasId && (message.line === null || Number.isSafeInteger(message.line));
     case "finished":
       return hasId;
     case "beat":

@@ -6,7 +6,7 @@
  */
 import { FORMAT, type Header, KINDS, VERSION } from "../trace/events.ts";
 import { Trace } from "../trace/trace.ts";
-import { type Ending, explain } from "./endings.ts";
+import { type Ending, explain, stillWords } from "./endings.ts";
 import { DEFAULT_LIMITS, type FromWorker, type Limits, type RunRequest } from "./messages.ts";
 import { type ModuleFiles, provideModules } from "./modules.ts";
 import type { Partner, Workers } from "./pool.ts";
@@ -14,8 +14,8 @@ import type { Partner, Workers } from "./pool.ts";
 export interface RunListeners {
   /** The trace has grown. */
   onChunk?(trace: Trace): void;
-  /** Something to show while waiting, such as "Loading NumPy: 40 % of 3.1 MB". */
-  onNote?(text: string): void;
+  /** Something to show while waiting, such as "Loading NumPy: 40 % of 3.1 MB"; null: no more. */
+  onNote?(text: string | null): void;
 }
 
 export class Run {
@@ -29,6 +29,9 @@ export class Run {
   #interpreter: Partner | null = null;
   #end: (ending: Ending) => void = () => {};
   #ended = false;
+  /** Whether the page has been told that time stands still, and the line if it is known. */
+  #isStill = false;
+  #stillOn: number | null = null;
 
   constructor(
     request: RunRequest,
@@ -59,7 +62,10 @@ export class Run {
     const ended = new Promise<Ending>((resolve) => {
       this.#end = resolve;
     });
-    const watch = new Watch(this.#limits.silent_s, () => this.#end({ kind: "silent" }));
+    const watch = new Watch(this.#limits.silent_s, {
+      onStill: () => this.#tellOfStandstill(null),
+      onSilent: () => this.#end({ kind: "silent", line: this.#stillOn }),
+    });
     this.#begin(watch).catch((error: unknown) => this.#end(ourFault(error)));
     const ending = await ended;
     watch.end();
@@ -99,15 +105,37 @@ export class Run {
         this.#end(ourFault(error));
         return;
       }
-      if (this.#trace.duration > before) watch.restart();
+      if (this.#trace.duration > before) {
+        watch.restart();
+        this.#timePasses();
+      }
       this.#listeners.onChunk?.(this.#trace);
+    } else if (message.kind === "still") {
+      this.#tellOfStandstill(message.line);
     } else if (message.kind === "finished") {
       this.#end({ kind: "finished" });
     } else if (message.kind === "died") {
       this.#end(message);
     }
   }
+
+  #tellOfStandstill(line: number | null): void {
+    if (this.#isStill && line === null) return;
+    this.#isStill = true;
+    this.#stillOn = line;
+    this.#listeners.onNote?.(stillWords(line));
+  }
+
+  #timePasses(): void {
+    if (!this.#isStill) return;
+    this.#isStill = false;
+    this.#stillOn = null;
+    this.#listeners.onNote?.(null);
+  }
 }
+
+/** Python tells of a standstill with its line; when it can't, because of a long calculation in C: */
+const STILL_MS = 1900;
 
 /** A spare is started once a run has lasted this long, so that a short run has the machine. */
 const LONG_RUN_MS = 300;
@@ -115,14 +143,15 @@ const LONG_RUN_MS = 300;
 /** Watches over a run in real time: says when it is a long one, and when it has gone silent. */
 class Watch {
   readonly #silentMs: number;
-  readonly #onSilent: () => void;
+  readonly #tell: { onStill(): void; onSilent(): void };
+  #still: ReturnType<typeof setTimeout> | undefined;
   #silence: ReturnType<typeof setTimeout> | undefined;
   #long: ReturnType<typeof setTimeout> | undefined;
   #begun = false;
 
-  constructor(silentSeconds: number, onSilent: () => void) {
+  constructor(silentSeconds: number, tell: { onStill(): void; onSilent(): void }) {
     this.#silentMs = silentSeconds * 1000;
-    this.#onSilent = onSilent;
+    this.#tell = tell;
   }
 
   begin(onLong: () => void): void {
@@ -133,12 +162,16 @@ class Watch {
 
   restart(): void {
     clearTimeout(this.#silence);
-    if (this.#begun) this.#silence = setTimeout(this.#onSilent, this.#silentMs);
+    clearTimeout(this.#still);
+    if (!this.#begun) return;
+    this.#silence = setTimeout(() => this.#tell.onSilent(), this.#silentMs);
+    this.#still = setTimeout(() => this.#tell.onStill(), STILL_MS);
   }
 
   end(): void {
     this.#begun = false;
     clearTimeout(this.#silence);
+    clearTimeout(this.#still);
     clearTimeout(this.#long);
   }
 }

@@ -67,6 +67,7 @@ const CHECKS: { [K in Kind]: { [F in (typeof KINDS)[K][number]]: Check } } = {
   },
   plot: { t: size, name: text, value: number },
   print: { t: size, stream: oneOf("stdout", "stderr"), text },
+  note: { t: size, line, text },
   line: { t: size, line },
   led: { t: size, red: colourByte, green: colourByte, blue: colourByte },
   beep: { t: size, freq: number, ms: size },
@@ -127,6 +128,7 @@ export function weight(event: TraceEvent): number {
     case "scan":
       return 64 + 8 * event.beams.length;
     case "print":
+    case "note":
       return 64 + event.text.length;
     case "layer":
       return (event.texts ?? []).reduce((sum, text) => sum + text.length, 64);

@@ -18,6 +18,7 @@ export const KINDS = {
   layer: ["t", "name", "colour", "shape", "size", "first", "count", "texts"],
   plot: ["t", "name", "value"],
   print: ["t", "stream", "text"],
+  note: ["t", "line", "text"],
   line: ["t", "line"],
   led: ["t", "red", "green", "blue"],
   beep: ["t", "freq", "ms"],
@@ -67,6 +68,16 @@ export interface Print {
   stream: "stdout" | "stderr";
   text: string;
 }
+
+/** What the program should know of a call on this line that did not do all it was told. */
+export interface Note {
+  t: number;
+  line: number;
+  text: string;
+}
+
+/** What the console shows. */
+export type ConsoleEntry = Print | Note;
 
 /** The learner's line that is being carried out from this time on. */
 export interface Line {
@@ -121,6 +132,7 @@ export type TraceEvent =
   | ({ kind: "layer" } & Layer)
   | ({ kind: "plot" } & Plot)
   | ({ kind: "print" } & Print)
+  | ({ kind: "note" } & Note)
   | ({ kind: "line" } & Line)
   | ({ kind: "led" } & Led)
   | ({ kind: "beep" } & Beep)
@@ -172,6 +184,7 @@ export interface Outcome {
   message: string;
   seconds: number;
   console: string;
+  notes: { line: number; text: string }[];
   pose: { x: number; y: number; heading: number };
   series: Record<string, [t: number, value: number][]>;
   layers: Record<

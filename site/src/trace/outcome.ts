@@ -15,6 +15,7 @@ export function outcomeOf(trace: Trace): Outcome {
     message: end.message,
     seconds: end.t,
     console: trace.consoleText(end.t),
+    notes: trace.notes.map(({ line, text }) => ({ line, text })),
     pose: { x, y, heading },
     series: Object.fromEntries(
       Array.from(trace.series, ([name, { t, value }]) => [

@@ -4,7 +4,17 @@
  * Imports `events`, `columns`, `points`.
  */
 import { Column, Table } from "./columns.ts";
-import type { End, Fault, Kind, Layer, Print, Scan, TraceEvent } from "./events.ts";
+import type {
+  ConsoleEntry,
+  End,
+  Fault,
+  Kind,
+  Layer,
+  Note,
+  Print,
+  Scan,
+  TraceEvent,
+} from "./events.ts";
 import { PointStore } from "./points.ts";
 
 /** Kinds that come while time passes by itself; all others mark something the program did. */
@@ -32,7 +42,10 @@ export class EventStore {
   readonly points = new PointStore();
   readonly series = new Map<string, Series>();
   readonly prints: Print[] = [];
-  readonly printTimes = new Column();
+  readonly notes: Note[] = [];
+  /** Prints and notes in the order they came. */
+  readonly console: ConsoleEntry[] = [];
+  readonly consoleTimes = new Column();
   readonly lines = new Table(["line"]);
   readonly leds = new Table(["red", "green", "blue"]);
   readonly beeps = new Table(["freq", "ms"]);
@@ -88,7 +101,11 @@ export class EventStore {
       }
       case "print":
         this.prints.push(event);
-        this.printTimes.push(event.t);
+        this.#toConsole(event);
+        break;
+      case "note":
+        this.notes.push(event);
+        this.#toConsole(event);
         break;
       case "line":
         this.lines.push(event);
@@ -109,6 +126,11 @@ export class EventStore {
         this.ends.push(event);
         break;
     }
+  }
+
+  #toConsole(entry: ConsoleEntry): void {
+    this.console.push(entry);
+    this.consoleTimes.push(entry.t);
   }
 
   scan(index: number): Scan {
@@ -145,6 +167,8 @@ export class EventStore {
       }
       case "print":
         return { kind, ...(this.prints[index] as Print) };
+      case "note":
+        return { kind, ...(this.notes[index] as Note) };
       case "line":
         return { kind, ...this.lines.row(index) };
       case "led":

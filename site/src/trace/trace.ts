@@ -11,13 +11,14 @@ import type {
   Beep,
   Bump,
   Chunk,
+  ConsoleEntry,
   End,
   Fault,
   Header,
   Layer,
   Led,
+  Note,
   Pose,
-  Print,
   Scan,
   TraceEvent,
 } from "./events.ts";
@@ -221,20 +222,25 @@ export class Trace {
     return this.#store.points.view(layer.first, layer.count);
   }
 
-  /** Everything printed, oldest first. */
-  get prints(): readonly Print[] {
-    return this.#store.prints;
+  /** What the console shows, oldest first: all that was printed, and the notes. */
+  get console(): readonly ConsoleEntry[] {
+    return this.#store.console;
   }
 
-  /** How many of `prints` had been printed by a time. */
-  printsUpTo(t: number): number {
-    return this.#store.printTimes.lastUpTo(t) + 1;
+  /** How many entries of `console` there were by a time. */
+  consoleUpTo(t: number): number {
+    return this.#store.consoleTimes.lastUpTo(t) + 1;
   }
 
   /** All that had been printed by a time, both streams. */
   consoleText(t: number): string {
-    const printed = this.prints.slice(0, this.printsUpTo(t));
-    return printed.map((print) => print.text).join("");
+    const entries = this.console.slice(0, this.consoleUpTo(t));
+    return entries.map((entry) => ("stream" in entry ? entry.text : "")).join("");
+  }
+
+  /** What calls did not do as they were told, oldest first. */
+  get notes(): readonly Note[] {
+    return this.#store.notes;
   }
 
   /** The learner's line being carried out, 1 first, or null before the first. */

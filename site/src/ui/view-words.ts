@@ -67,6 +67,8 @@ export const consoleWords = {
   name: "Console",
   empty: "What the program prints appears here.",
   error: "error output",
+  noteTag: "note",
+  note: (line: number, text: string) => `Line ${line}: ${text}`,
   left: (lines: number) =>
     `${lines.toLocaleString("en-GB")} earlier ${lines === 1 ? "line" : "lines"} left out`,
 };

@@ -1,9 +1,10 @@
 /**
  * Printed text as lines, the last of them only: a program may print two million characters, and
- * the reader may drag through all of them. May import `trace`.
+ * the reader may drag through all of them. May import `trace` and `ui`.
  */
 import { Column } from "../trace/columns.ts";
-import type { Print } from "../trace/events.ts";
+import type { ConsoleEntry, Print } from "../trace/events.ts";
+import { consoleWords as words } from "../ui/view-words.ts";
 
 /** No more lines than this are shown at a time, … */
 export const MOST_LINES = 1000;
@@ -11,7 +12,7 @@ export const MOST_LINES = 1000;
 export const MOST_CHARACTERS = 100_000;
 
 export interface Piece {
-  stream: Print["stream"];
+  stream: Print["stream"] | "note";
   text: string;
 }
 
@@ -22,16 +23,16 @@ export interface PrintedLine {
 }
 
 export class ConsoleLines {
-  readonly #prints: readonly Print[];
-  /** How many lines had ended before each print, and after the last. */
+  readonly #entries: readonly ConsoleEntry[];
+  /** How many lines had ended before each entry, and after the last. */
   readonly #ended = new Column();
 
-  constructor(prints: readonly Print[]) {
-    this.#prints = prints;
+  constructor(entries: readonly ConsoleEntry[]) {
+    this.#entries = entries;
     this.#ended.push(0);
   }
 
-  /** The last lines after the first `count` prints; their numbers say how many came before. */
+  /** The last lines after the first `count` entries; their numbers say how many came before. */
   after(count: number): PrintedLine[] {
     this.#readNew();
     const firstWanted = Math.max(0, this.#ended.at(count) - MOST_LINES);
@@ -45,7 +46,8 @@ export class ConsoleLines {
     const lines: PrintedLine[] = [];
     let number = this.#ended.at(from) + newlines(this.#text(from).slice(0, excess));
     for (let i = from; i < count; i++) {
-      const { stream, text } = this.#prints[i] as Print;
+      const stream = streamOf(this.#entries[i] as ConsoleEntry);
+      const text = this.#text(i);
       const parts = (i === from ? text.slice(excess) : text).split("\n");
       parts.forEach((part, k) => {
         if (k > 0) number += 1;
@@ -58,15 +60,25 @@ export class ConsoleLines {
     return lines;
   }
 
+  /** An entry as it stands in the console: a note has a line to itself. */
   #text(index: number): string {
-    return this.#prints[index]?.text ?? "";
+    const entry = this.#entries[index];
+    if (!entry) return "";
+    if ("stream" in entry) return entry.text;
+    const before = this.#entries[index - 1];
+    const midLine = before && "stream" in before && !before.text.endsWith("\n");
+    return `${midLine ? "\n" : ""}${words.note(entry.line, entry.text)}\n`;
   }
 
   #readNew(): void {
-    for (let i = this.#ended.length - 1; i < this.#prints.length; i++) {
+    for (let i = this.#ended.length - 1; i < this.#entries.length; i++) {
       this.#ended.push(this.#ended.at(i) + newlines(this.#text(i)));
     }
   }
+}
+
+function streamOf(entry: ConsoleEntry): Piece["stream"] {
+  return "stream" in entry ? entry.stream : "note";
 }
 
 /** The line of that number, the last or a new one. */

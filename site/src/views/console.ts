@@ -1,5 +1,5 @@
 /**
- * <console-view>: what the program has printed up to the shown moment.
+ * <console-view>: what the program has printed up to the shown moment, and the notes on its calls.
  *
  * Set `player`, and `note` for lines of the page's own at the end. May import `trace`, `player`
  * and `ui`.
@@ -29,7 +29,7 @@ export class ConsoleView extends LitElement {
   /** What is in the page, row for row. */
   #rows: Row[] = [];
   #blocks = new Map<number, HTMLElement>();
-  #shownPrints = -1;
+  #shownEntries = -1;
   readonly #redraw = (): void => this.requestUpdate();
 
   constructor() {
@@ -54,7 +54,7 @@ export class ConsoleView extends LitElement {
 
   override render(): TemplateResult {
     const { trace, time } = this.player;
-    const quiet = trace.printsUpTo(time) === 0 && this.note === "";
+    const quiet = trace.consoleUpTo(time) === 0 && this.note === "";
     return html`<div class="console-log" role="log" aria-label=${words.name} tabindex="0">
       <div class="console-text">
         <p class="console-left" hidden></p>
@@ -66,14 +66,14 @@ export class ConsoleView extends LitElement {
 
   override updated(): void {
     const { trace, time } = this.player;
-    const prints = trace.printsUpTo(time);
+    const entries = trace.consoleUpTo(time);
     if (this.#lines?.trace !== trace) {
-      this.#lines = { trace, of: new ConsoleLines(trace.prints) };
-      this.#shownPrints = -1;
+      this.#lines = { trace, of: new ConsoleLines(trace.console) };
+      this.#shownEntries = -1;
     }
-    if (prints !== this.#shownPrints) {
-      this.#shownPrints = prints;
-      this.#show(this.#lines.of.after(prints));
+    if (entries !== this.#shownEntries) {
+      this.#shownEntries = entries;
+      this.#show(this.#lines.of.after(entries));
     }
   }
 
@@ -143,8 +143,10 @@ function keyOf(line: PrintedLine, begins: boolean): string {
 function rowOf(line: PrintedLine, begins: boolean): HTMLElement {
   const row = document.createElement("div");
   if (begins) row.append(span("console-tag", words.error));
+  if (line.pieces[0]?.stream === "note") row.append(span("console-tag", words.noteTag));
   for (const { stream, text } of line.pieces) {
-    row.append(stream === "stderr" ? span("console-error", text) : text);
+    if (stream === "stdout") row.append(text);
+    else row.append(span(stream === "stderr" ? "console-error" : "console-note", text));
   }
   if (line.pieces.length === 0) row.append(document.createElement("br"));
   return row;

@@ -8,7 +8,13 @@
  */
 import type { PyodideAPI } from "pyodide";
 import type { Boot, FromWorker, ToWorker } from "../runtime/messages.ts";
-import { installStdlib, installWheel, startInterpreter, writePythonStack } from "./interpreter.ts";
+import {
+  installStdlib,
+  installWheel,
+  lookAtTheClock,
+  startInterpreter,
+  writePythonStack,
+} from "./interpreter.ts";
 import { LastWords } from "./last-words.ts";
 import { CLOSE_IMPORTS, lockDown } from "./lockdown.ts";
 import { undoFilters } from "./png-rows.ts";
@@ -22,6 +28,8 @@ interface Session {
     seed: number,
     limitsJson: string,
     send: (events: string, points: Uint8Array) => void,
+    keep: (t: number, stream: string, text: string) => void,
+    still: (line: number | undefined) => void,
   ): void;
 }
 
@@ -66,6 +74,8 @@ class Interpreter {
   #judge: Judge | null = null;
   #hasStdlib: boolean;
   #runId: number | null = null;
+  /** What the program has printed and has not been sent yet, as rows of the trace. */
+  #unsent: unknown[] = [];
   #lastWords = new LastWords();
 
   constructor(port: MessagePort, boot: Boot) {
@@ -100,7 +110,7 @@ class Interpreter {
         names.destroy();
         this.#send({ kind: "imports", id: message.id, missing, hasStdlib: this.#hasStdlib });
       } else if (message.kind === "run") {
-        this.#run(session, message);
+        this.#run(pyodide, session, message);
       } else if (message.kind === "convert") {
         this.#convert(pyodide.pyimport("bridge.ros") as Ros, message);
       } else {
@@ -124,9 +134,10 @@ class Interpreter {
     );
   }
 
-  #run(session: Session, request: Extract<ToWorker, { kind: "run" }>): void {
+  #run(pyodide: PyodideAPI, session: Session, request: Extract<ToWorker, { kind: "run" }>): void {
     const { id } = request;
     this.#runId = id;
+    lookAtTheClock(pyodide);
     session.run(
       request.program,
       JSON.stringify(request.world),
@@ -134,8 +145,13 @@ class Interpreter {
       JSON.stringify(request.limits),
       (events, points) => {
         const buffer = points.slice().buffer;
+        this.#unsent = [];
         this.#send({ kind: "chunk", id, events, points: buffer }, [buffer]);
       },
+      (t, stream, text) => {
+        this.#unsent.push(["print", t, stream, text]);
+      },
+      (line) => this.#send({ kind: "still", id, line: line ?? null }),
     );
     this.#send({ kind: "finished", id });
     this.#runId = null;
@@ -162,6 +178,10 @@ class Interpreter {
     // else, such as a stack that overflowed or a failed assertion, has killed the interpreter.
     const ours = error instanceof Error && error.name === "PythonError";
     if (!ours && this.#pyodide) writePythonStack(this.#pyodide);
+    if (this.#runId !== null && this.#unsent.length > 0) {
+      const events = JSON.stringify(this.#unsent);
+      this.#send({ kind: "chunk", id: this.#runId, events, points: new ArrayBuffer(0) });
+    }
     const detail = error instanceof Error && error.stack ? error.stack : message;
     this.#send({
       kind: "died",
