@@ -1,4 +1,4 @@
-"""The clocks of Python's library besides `time`: all of them follow simulated time.
+"""The clocks of Python's library besides `time`: all but timeit() follow simulated time.
 
 May import: the standard library, `bugbot.link`, `bugbot.own_clock`, the rest of `bugbot.run`.
 """
@@ -16,6 +16,9 @@ from bugbot.own_clock import EPOCH_S
 from bugbot.run.on_import import Change, put_back
 
 __all__ = ["clocks_elsewhere"]
+
+_real_clock = time.perf_counter
+"""For timeit(), whose one purpose is to measure how long the computer takes."""
 
 
 def clocks_elsewhere(link: Link, sleep: Callable[[Any], None]) -> dict[str, Change]:
@@ -49,10 +52,20 @@ def clocks_elsewhere(link: Link, sleep: Callable[[Any], None]) -> dict[str, Chan
         undo.callback(setattr, make, "__defaults__", make.__defaults__)
         make.__defaults__ = (link.now, sleep)
 
+    def timeit(module: ModuleType, undo: ExitStack) -> None:
+        put_back(module, undo)
+        for function in (module.Timer.__init__, module.timeit, module.repeat):
+            undo.callback(setattr, function, "__defaults__", function.__defaults__)
+            function.__defaults__ = tuple(
+                _real_clock if callable(each) else each for each in function.__defaults__
+            )
+        vars(module).update(default_timer=link.now)
+
     return {
         "asyncio": asyncio,
         "datetime": dates,
         "logging": logging,
         "queue": queue,
         "sched": sched,
+        "timeit": timeit,
     }
