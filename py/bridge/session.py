@@ -10,6 +10,7 @@ from typing import Any
 from pyodide.ffi import to_js  # type: ignore[import-not-found]  # exists only in the browser
 
 from bridge.imports import missing_modules
+from bridge.kept import Kept
 from bugbot.run import Limits, run_program
 from bugbot.trace import Trace
 
@@ -25,8 +26,9 @@ FLUSH_SECONDS = 0.016
 class _Sender:
     """Sends what a trace has gathered, at most once a frame."""
 
-    def __init__(self, send: Callable[[str, Any], None]) -> None:
+    def __init__(self, send: Callable[[str, Any], None], kept: Kept) -> None:
         self._send = send
+        self._kept = kept
         self._trace: Trace | None = None
         self._sent_at = 0.0
 
@@ -41,6 +43,7 @@ class _Sender:
         if self._trace is not None:
             events, points = self._trace.take()
             self._send(events, to_js(points))
+            self._kept.sent()
         self._sent_at = real_time()
 
 
@@ -50,16 +53,19 @@ def run(
     seed: int,
     limits_json: str,
     send: Callable[[str, Any], None],
-    keep: Callable[[float, str, str], None],
+    begin: Callable[[float, str], None],
+    keep: Callable[[str], None],
     still: Callable[[int | None], None],
 ) -> None:
     """Run a program and send its trace; the last chunk holds the end event.
 
     `send(events, points)` takes the rows as JSON text and the new points as a Uint8Array.
-    `keep(t, stream, text)` hears what is printed at once, in case the interpreter breaks before
-    it is sent. `still(line)` hears that the program computes and no simulated time passes.
+    `begin(t, stream)` and `keep(text)` hear of what is printed at once, in case the interpreter
+    breaks before it is sent. `still(line)` hears that the program computes and no simulated time
+    passes.
     """
-    sender = _Sender(send)
+    kept = Kept(begin, keep)
+    sender = _Sender(send, kept)
     run_program(
         program,
         json.loads(world_json),
@@ -67,7 +73,7 @@ def run(
         limits=Limits(**json.loads(limits_json)),
         trace_ready=sender.follow,
         on_flush=sender.flush_if_due,
-        on_print=keep,
+        on_print=kept.add,
         on_still=still,
     )
     sender.flush()

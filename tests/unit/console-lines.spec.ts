@@ -31,6 +31,20 @@ test("each piece keeps its stream", () => {
   ]);
 });
 
+test("a note has a line to itself, wherever the print before it stopped", () => {
+  const note = { t: 0, line: 3, text: "too fast" };
+  const lines = new ConsoleLines([out("a"), note, note, out("b\n"), note, err("c")]);
+  expect(plain(lines.after(6))).toEqual([
+    "0 a",
+    "1 Line 3: too fast",
+    "2 Line 3: too fast",
+    "3 b",
+    "4 Line 3: too fast",
+    "5 c",
+  ]);
+  expect(lines.after(2)[1]?.pieces).toEqual([{ stream: "note", text: "Line 3: too fast" }]);
+});
+
 test("only the last lines are kept, and their numbers say how many came before", () => {
   const all = Array.from({ length: MOST_LINES + 500 }, (_, i) => out(`line ${i}\n`));
   const lines = new ConsoleLines(all).after(all.length);

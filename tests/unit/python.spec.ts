@@ -127,6 +127,7 @@ test.describe("the outcome", () => {
       message: "The program ended.",
       seconds: 2,
       console: "go\noh\ndone\n",
+      notes: [],
       pose: { x: 110, y: 100, heading: 10 },
       series: {
         "known %": [

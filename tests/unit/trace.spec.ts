@@ -137,7 +137,7 @@ test.describe("what is refused", () => {
     [
       "an unknown kind",
       [["smell", 0]],
-      'row 1: unknown kind "smell"; known: pose, scan, layer, plot, print, line, led, beep, bump, fault, end',
+      'row 1: unknown kind "smell"; known: pose, scan, layer, plot, print, note, line, led, beep, bump, fault, end',
     ],
     ["too few values", [["pose", 0, 1, 2]], "row 1: pose has 4 values (t, x, y, heading), not 3"],
     ["too many values", [["line", 0, 1, 2]], "row 1: line has 2 values (t, line), not 3"],

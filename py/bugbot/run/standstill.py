@@ -19,6 +19,7 @@ from __future__ import annotations
 import ast
 import warnings
 from collections.abc import Iterator
+from itertools import islice
 from types import FrameType
 from typing import Any
 
@@ -26,7 +27,7 @@ from bugbot.run.state import UnknownError, state_of
 
 __all__ = ["MOST_LOOKS", "Standstill"]
 
-MOST_LOOKS = 20_000
+MOST_LOOKS = 10_000
 """Readings of the depth sensor at one moment that a while loop may take."""
 
 _ROUND_A_FOR = 4
@@ -135,10 +136,10 @@ class Standstill:
     def _loops_round(self, frame: FrameType) -> Iterator[Any]:
         """The loops round the frame's line, in the frame's own function, innermost first."""
         loops, functions = self._read()
-        line = frame.f_lineno
-        begin = max((each.lineno for each in functions if _has(each, line)), default=0)
-        round_it = [each for each in loops if _has(each, line) and each.lineno >= begin]
-        return iter(sorted(round_it, key=lambda each: (-each.lineno, -each.col_offset)))
+        point = _point(frame)
+        begin = max((_start(each) for each in functions if _spans(each, point)), default=(0, 0))
+        round_it = [each for each in loops if _repeated(each, point) and _start(each) >= begin]
+        return iter(sorted(round_it, key=_start, reverse=True))
 
     def _read(self) -> tuple[list[Any], list[Any]]:
         if self._nodes is None:
@@ -150,11 +151,26 @@ class Standstill:
         return self._nodes
 
 
-def _has(node: Any, line: int) -> bool:
-    """Whether a line is in this function, or is gone through again and again in this loop."""
-    # What a for loop goes through is worked out once, before it.
-    once = isinstance(node, ast.For | ast.AsyncFor) and line < node.body[0].lineno
-    return node.lineno <= line <= node.end_lineno and not once
+def _point(frame: FrameType) -> tuple[int, int]:
+    """Line and column of what the frame is carrying out."""
+    positions = islice(frame.f_code.co_positions(), frame.f_lasti // 2, None)
+    line, _, column, _ = next(positions, (None, None, None, None))
+    return line or frame.f_lineno, column or 0
+
+
+def _start(node: Any) -> tuple[int, int]:
+    return node.lineno, node.col_offset
+
+
+def _spans(node: Any, point: tuple[int, int]) -> bool:
+    return _start(node) <= point < (node.end_lineno, node.end_col_offset)
+
+
+def _repeated(loop: Any, point: tuple[int, int]) -> bool:
+    """Whether what stands at this point is done again and again in the loop."""
+    # What a for loop or a comprehension goes through is worked out once, before it.
+    once = loop.generators[0].iter if hasattr(loop, "generators") else getattr(loop, "iter", None)
+    return _spans(loop, point) and not (once is not None and _spans(once, point))
 
 
 def _wait_in(loop: ast.While) -> str:

@@ -46,7 +46,8 @@ def state_of(frame: FrameType) -> object:
 class _Reader:
     def __init__(self, filename: str) -> None:
         self._filename = filename
-        self._seen: dict[int, int] = {}
+        self._seen: dict[int, tuple[int, object]] = {}
+        """By id: its number, and the value itself, so that no other gets the same id."""
         self._parts = 0
 
     def read(self, value: Any) -> object:
@@ -60,8 +61,8 @@ class _Reader:
                 raise UnknownError
             return kind, repr(value) if kind in (float, complex) else value
         if id(value) in self._seen:
-            return "again", self._seen[id(value)]
-        self._seen[id(value)] = len(self._seen)
+            return "again", self._seen[id(value)][0]
+        self._seen[id(value)] = len(self._seen), value
         return kind, self._inside(kind, value)
 
     def _inside(self, kind: type, value: Any) -> object:

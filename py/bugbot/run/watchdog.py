@@ -94,9 +94,20 @@ class _Clock:
             return 0.0
         still = monotonic() - self._since
         if still >= STILL_S and not self._told and self._on_still is not None:
-            self._told = True
-            self._on_still(self._meter.line_of(find()))
+            frame = find()
+            if not _is_loading(frame):
+                self._told = True
+                self._on_still(self._meter.line_of(frame))
         return still
+
+
+def _is_loading(frame: FrameType | None) -> bool:
+    """Whether a module is being imported: NumPy takes a while, and no loop of the program's."""
+    while frame is not None:
+        if frame.f_code.co_filename.startswith("<frozen importlib"):
+            return True
+        frame = frame.f_back
+    return False
 
 
 @contextmanager

@@ -135,7 +135,7 @@ export class Run {
 }
 
 /** Python tells of a standstill with its line; when it can't, because of a long calculation in C: */
-const STILL_MS = 1900;
+const STILL_MS = 5000;
 
 /** A spare is started once a run has lasted this long, so that a short run has the machine. */
 const LONG_RUN_MS = 300;

@@ -28,7 +28,8 @@ interface Session {
     seed: number,
     limitsJson: string,
     send: (events: string, points: Uint8Array) => void,
-    keep: (t: number, stream: string, text: string) => void,
+    begin: (t: number, stream: string) => void,
+    keep: (text: string) => void,
     still: (line: number | undefined) => void,
   ): void;
 }
@@ -74,8 +75,7 @@ class Interpreter {
   #judge: Judge | null = null;
   #hasStdlib: boolean;
   #runId: number | null = null;
-  /** What the program has printed and has not been sent yet, as rows of the trace. */
-  #unsent: unknown[] = [];
+  #unsent = new Unsent();
   #lastWords = new LastWords();
 
   constructor(port: MessagePort, boot: Boot) {
@@ -145,12 +145,11 @@ class Interpreter {
       JSON.stringify(request.limits),
       (events, points) => {
         const buffer = points.slice().buffer;
-        this.#unsent = [];
+        this.#unsent.clear();
         this.#send({ kind: "chunk", id, events, points: buffer }, [buffer]);
       },
-      (t, stream, text) => {
-        this.#unsent.push(["print", t, stream, text]);
-      },
+      (t, stream) => this.#unsent.begin(t, stream),
+      (text) => this.#unsent.keep(text),
       (line) => this.#send({ kind: "still", id, line: line ?? null }),
     );
     this.#send({ kind: "finished", id });
@@ -178,8 +177,8 @@ class Interpreter {
     // else, such as a stack that overflowed or a failed assertion, has killed the interpreter.
     const ours = error instanceof Error && error.name === "PythonError";
     if (!ours && this.#pyodide) writePythonStack(this.#pyodide);
-    if (this.#runId !== null && this.#unsent.length > 0) {
-      const events = JSON.stringify(this.#unsent);
+    if (this.#runId !== null) {
+      const events = JSON.stringify(this.#unsent.rows());
       this.#send({ kind: "chunk", id: this.#runId, events, points: new ArrayBuffer(0) });
     }
     const detail = error instanceof Error && error.stack ? error.stack : message;
@@ -194,6 +193,32 @@ class Interpreter {
 
   #send(message: FromWorker, transfer: Transferable[] = []): void {
     this.#port.postMessage(message, transfer);
+  }
+}
+
+/** What a program has printed and the page has not been sent: `bridge.kept` tells of it. */
+class Unsent {
+  #prints: { t: number; stream: string; texts: string[] }[] = [];
+
+  begin(t: number, stream: string): void {
+    this.#prints.push({ t, stream, texts: [] });
+  }
+
+  keep(text: string): void {
+    this.#prints.at(-1)?.texts.push(text);
+  }
+
+  /** All has been sent; what comes next may still be at the same time. */
+  clear(): void {
+    this.#prints = this.#prints.slice(-1);
+    for (const print of this.#prints) print.texts = [];
+  }
+
+  /** As rows of the trace. */
+  rows(): unknown[][] {
+    return this.#prints
+      .filter(({ texts }) => texts.length > 0)
+      .map(({ t, stream, texts }) => ["print", t, stream, texts.join("")]);
   }
 }
 

@@ -131,7 +131,7 @@ def test_six_hundred_seconds_may_pass_and_no_more(run_calls: Run) -> None:
 
 
 def test_printing_ends_after_two_megabytes_and_is_kept(run: Run) -> None:
-    ran = run("print('begin')\nwhile True:\n    print('x' * 999)")
+    ran = run("print('begin')\nfor _ in range(10_000):\n    print('x' * 999)")
     assert ran.status == "limit"
     assert len(ran.console) == 2_000_000
     assert ran.console.startswith("begin\nxxx")
@@ -151,7 +151,7 @@ def test_recording_ends_after_its_limit(run_calls: Run) -> None:
         limits=Limits(trace_bytes=1_000_000),
     )
     assert ran.status == "limit"
-    assert ran.message.startswith("Stopped on line 5 after recording 1 MB of drawing")
+    assert ran.message.startswith("Stopped on line 5 after recording 1 MB, most of it drawing:")
     assert 400 < len(ran.of_kind("layer")) < 520
 
 
@@ -200,11 +200,7 @@ def test_a_swallowed_limit_comes_again_on_the_very_next_lines(
     [
         ("while True:\n    pass", {2, 3}),
         ("while True:\n    try:\n        pass\n    except:\n        pass", {2, 3, 4}),
-        (
-            "while True:\n    try:\n        scan()\n    except BaseException:\n        pass",
-            {2, 3, 4},
-        ),
-        ("while True:\n    wait(0)", {2, 3}),
+        ("n = 0\nwhile True:\n    n += 1\n    wait(0)", {3, 4, 5}),
     ],
 )
 def test_computing_for_ever_is_ended(run_calls: Run, program: str, lines: set[int]) -> None:
@@ -212,8 +208,8 @@ def test_computing_for_ever_is_ended(run_calls: Run, program: str, lines: set[in
     assert ran.status == "limit"
     assert int(ran.message.split()[3]) in lines
     assert (
-        "after 0.2 s of computing in which no simulated time passed: "
-        "a loop that goes on and on needs a wait() in it." in ran.message
+        "after 0.2 s of computing in which no simulated time passed. "
+        "If a loop waits for the robot there, put wait(0.1) into it." in ran.message
     )
 
 
@@ -246,7 +242,8 @@ def test_only_a_long_silence_is_ended_however_long_the_run(
     monkeypatch.setattr(watchdog, "monotonic", looks.monotonic)
     monkeypatch.setattr(watchdog, "interrupt_main", lambda: None)
     meter = Meter(Limits(silent_s=0.9), Trace("", {}, 0), "program.py")
-    watchdog._watch(meter, lambda: simulated(looks.t), looks, None)  # type: ignore[arg-type]
+    clock = watchdog._Clock(meter, lambda: simulated(looks.t), None)
+    watchdog._watch(meter, clock, looks, None)  # type: ignore[arg-type]
     assert (meter.over is not None) == ended
 
 

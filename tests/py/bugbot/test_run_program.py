@@ -88,7 +88,7 @@ def test_the_outcome_has_exactly_these_parts(run_calls: Run) -> None:
         draw("gone", [(1, 2)])
         draw("gone", [])
         draw("goal", [(1, 2)], "red", "text", 4)
-        forward(100)
+        forward(101)
         wait(1)
         plot("a", 1)
     """)
@@ -97,6 +97,13 @@ def test_the_outcome_has_exactly_these_parts(run_calls: Run) -> None:
         "message": "Finished after 1 s.",
         "seconds": 1.0,
         "console": "to both\nstreams\n",
+        "notes": [
+            {
+                "line": 8,
+                "text": "forward(speed, distance) got speed 101, and the robot can't go "
+                "faster than 100 per cent: it counts as 100",
+            }
+        ],
         "pose": {"x": 100.0, "y": 111.5, "heading": 0.0},
         "series": {"a": [[1.0, 1.0]]},
         "layers": {

@@ -19,6 +19,7 @@ SAMPLES: dict[str, tuple[Any, ...]] = {
     "scan": (0.5, 100.0, 101.5, 0.0, [-19.6875, 50.1, 0.0, 200.0]),
     "plot": (0.5, "known %", 12.5),
     "print": (0.5, "stderr", "größer\n"),
+    "note": (0.5, 7, "forward(500) counts as forward(100)"),
     "line": (0.5, 7),
     "led": (0.5, 255, 0, 128),
     "beep": (0.5, 440.0, 200.0),
