@@ -180,7 +180,15 @@ def _message(case: Case, error: BaseException) -> str:
 def _without_words(error: BaseException) -> str:
     if isinstance(error, AssertionError):
         return "what the assert says is not so"
-    return f"a {type(error).__name__}, without a message"
+    name = type(error).__name__
+    return f"{'an' if _begins_with_a_vowel(name) else 'a'} {name}, without a message"
+
+
+def _begins_with_a_vowel(name: str) -> bool:
+    """As it is spoken: an IndexError, an OSError, an UnboundLocalError, but a UnicodeError."""
+    if name[:2].isupper():  # letter by letter
+        return name[0] in "AEFHILMNORSX"
+    return name[0] in "AEIOaeio" or re.match(r"[Uu]n(?!i)", name) is not None
 
 
 def _short(text: str, longest: int) -> str:

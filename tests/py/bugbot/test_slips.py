@@ -3,6 +3,7 @@
 Every program is run, so that the hints hold for the errors Python really raises.
 """
 
+import sys
 from collections.abc import Callable
 from typing import Any
 
@@ -13,6 +14,9 @@ from bugbot.run.slips import likely_cause
 from bugbot.run.slips.case import Case, bare_calls
 
 Run = Callable[..., Any]
+
+GOT = sys.version_info >= (3, 14)
+"""Whether Python says how many values there were too many."""
 
 SYNTAX = [
     ("x = [1, 2\ny = 3\n", 1, "This [ is never closed"),
@@ -80,6 +84,34 @@ SYNTAX = [
     ("```python\n", 1, "the lines with ```"),
     (">>> x = 3\n", 1, "Leave out the >>>"),
     ("x = ?\n", 1, None),
+    ("x = 2y\n", 1, "to multiply write *: 2 * x"),
+    (
+        "grid = [0] * 4\u200b\n",
+        1,
+        "invisible character at position 15 of the line, a zero width space",
+    ),
+    ("x = 4\nab\u00adc = 5\n", 2, "invisible character at position 3 of the line, a soft hyphen"),
+    ("x = 4\nx\ufeff = 5\n", 2, "a zero width no-break space (U+FEFF)"),
+    (
+        "x = 3\u2009+ 4\n",
+        1,
+        "There is a thin space at position 6 of the line, a space of a special kind",
+    ),
+    (
+        "f\u043er i in range(3):\n    pass\n",
+        1,
+        "In f\u043er the \u043e is a Cyrillic small letter o",
+    ),
+    ("... y = 2\n", 1, "Leave out the ... at the start of the line"),
+    ("In [ ]: for i in range(3):\n", 1, "it is a notebook's prompt"),
+    ("!pip install numpy\n", 1, "Nothing has to be installed here"),
+    ("%pip install numpy\n", 1, "Nothing has to be installed here"),
+    ("pip install matplotlib\n", 1, "This is a command for a terminal"),
+    ("$ python program.py\n", 1, "This is a command for a terminal"),
+    ("python3 -m bugbot run program.py\n", 1, "This is a command for a terminal"),
+    ("%matplotlib inline\n", 1, "%matplotlib is a command of a notebook"),
+    ("%%time\nx = 3\n", 1, "%%time is a command of a notebook"),
+    ("x = 10\ny = (x\n% 3 +)\n", None, None),
 ]
 
 NAMES = [
@@ -94,8 +126,8 @@ NAMES = [
     ("x = sin(3)\n", 1, "at the top of the program: from math import sin"),
     ("import math\nx = sin(3)\n", 2, "write math.sin"),
     ("x == 5\n", 1, "To give x a value write one equals sign: x = …"),
-    ("go_on()\ndef go_on():\n    pass\n", 1, "only comes to be on line 2"),
-    ("print(total)\ntotal = 3\n", 1, "only comes to be on line 2"),
+    ("go_on()\ndef go_on():\n    pass\n", 1, "first gets its value on line 2"),
+    ("print(total)\ntotal = 3\n", 1, "first gets its value on line 2"),
     ("from bugbot import *\nfoward(50)\n", 2, "Did you mean forward?"),
     (
         "from bugbot import *\nForward(50)\n",
@@ -108,7 +140,30 @@ NAMES = [
         "Did you mean forward? It needs this line at the top: from bugbot import *",
     ),
     ("Print(3)\n", 1, "Did you mean print? Capital and small letters count."),
-    ("known = 3\nprint(knwon)\n", 2, "Did you mean known?"),
+    ("known = 3\nprint(knwon)\n", 2, "It is spelt known on line 1 and knwon on line 2: make"),
+    ("known = 3\nprint(known)\nprint(knwon)\n", 3, "Did you mean known?"),
+    (
+        "def cell_of(x):\n    colum = x // 5\n    return column\ncell_of(3)\n",
+        3,
+        "It is spelt colum on line 2 and column on line 3: make them the same.",
+    ),
+    (
+        "colum = 3\nif column > 3:\n    print(column)\n",
+        2,
+        "It is spelt colum on line 1 and column on lines 2 and 3: make them the same.",
+    ),
+    (
+        "class A:\n    def __init__(self):\n        self.colum = 3\nprint(A().column)\n",
+        4,
+        "It is spelt colum on line 3 and column on line 4: make them the same.",
+    ),
+    (
+        "t = {'colum': 3}\nprint(t['column'])\n",
+        2,
+        "It is spelt 'colum' on line 1 and 'column' on line 2: make them the same.",
+    ),
+    ("\u0430ngle = 3\nprint(angle)\n", 2, "on line 1 the \u0430 is a Cyrillic small letter a"),
+    ("angle = 3\nprint(angl\u0435)\n", 2, "on line 2 the \u0435 is a Cyrillic small letter ie"),
     ("x = [0] * hello_there\n", 1, "Nothing is called hello_there here. A text needs quotes"),
     ("class A:\n    def f():\n        self.x = 1\nA.f()\n", 3, "takes self as its first argument"),
     ("n = 0\ndef f():\n    n += 1\nf()\n", 3, "begin the function with: global n"),
@@ -127,11 +182,21 @@ NAMES = [
     ("x = 3\nx.qqq\n", 2, None),
     ("import mathh\n", 1, "Did you mean math?"),
     ("import Bugbot\n", 1, "Did you mean bugbot? Capital and small letters count."),
-    ("import pandas\n", 1, "Python's own library (math, random, …), bugbot and numpy"),
-    ("import pandas.core\n", 1, "Python's own library (math, random, …), bugbot and numpy"),
+    ("import pandas\n", 1, "pandas can't be had here: numpy has arrays."),
+    ("import matplotlib.pyplot as plt\n", 1, "plot(name, value) makes a chart."),
+    ("import cv2\n", 1, "a map is an array of numpy"),
+    ("import rospy\n", 1, "the robot's calls are in bugbot: from bugbot import *"),
+    ("import requests_of_mine\n", 1, "Python's own library (math, random, …), bugbot and numpy"),
+    ("from grid import Grid\n", 1, "If grid is a file of yours: a program here is one file"),
+    ("import my.grid\n", 1, "If my is a file of yours: a program here is one file"),
+    ("from .grid import Grid\n", 1, "A program here is one file"),
+    ("from . import grid\n", 1, "A program here is one file"),
     ("from bugbot import foward\n", 1, "Did you mean forward?"),
     ("from math import sinus\n", 1, None),
-    ("raise ModuleNotFoundError('no tkinter', name='tkinter')\n", 1, "can't be had in a browser"),
+    ("raise ModuleNotFoundError('no tkinter', name='tkinter')\n", 1, "draws on the mat"),
+    ("raise ModuleNotFoundError('no ssl', name='ssl')\n", 1, "can't be had in a browser"),
+    ("In [1]: print(1)\n", 1, "Leave out the In [1]: at the start of the line"),
+    ("x = 3\nOut[3]: x\n", 2, "Leave out the Out[3]: at the start of the line"),
     ("raise ModuleNotFoundError('no numpy', name='numpy')\n", 1, "python -m pip install numpy"),
     ("raise NameError\n", 1, None),
     ("raise AttributeError\n", 1, None),
@@ -153,10 +218,18 @@ CALLS_ = [
         "the robot's call distance() is covered up",
     ),
     ("x = [1, 2]\nprint(x(0))\n", "use square brackets: x[…]"),
-    ("x = 3\nx()\n", "makes x a value of type int, and that can't be called"),
+    (
+        "x = 3\nx()\n",
+        "x is a value of type int, and that can't be called. To multiply write *: x * (…)",
+    ),
     ("x = 3 * 2.5\ny = (x)(x + 1)\n", "there must be a sign, such as *"),
+    ("x = 3\ny = 2(x)\n", "there must be a sign, such as *"),
     ("y = [(1, 2) (3, 4)]\n", "a comma missing"),
-    ("for d in scan():\n    a, b, c = d\n", "into 3 names"),
+    ("for d in scan():\n    a, b, c = d\n", "The 3 names on the left get 2 values."),
+    ("a, b = [1]\n", "The 2 names on the left get 1 value."),
+    ("a, b, *c = [1]\n", "The names on the left want at least 2 values and get 1."),
+    ("(a,) = 'ab'\n", "1 name on the left"),
+    ("a, b = [1, 2, 3]\n", "The 2 names on the left get 3" if GOT else "more values than the 2"),
     ("for a, b, c in scan():\n    pass\n", "scan() gives 8 pairs"),
     ("a, d = scan()\n", "scan() gives 8 pairs"),
     ("x, y, h = position()\n", "position() gives two numbers"),
@@ -182,9 +255,27 @@ CALLS_ = [
 ]
 
 VALUES = [
-    ("grid = [0] * 1600\ngrid[1600] = 1\n", "grid has 1600, with the numbers 0 to 1599."),
-    ("grid = [0] * 1600\nx = grid[1600]\n", "row * columns + column"),
-    ("x = [1, 2][3]\n", "The first has number 0."),
+    (
+        "grid = [0] * 1600\ngrid[1600] = 1\n",
+        "grid has 1600 items, with the indices 0 to 1599. The first index is 0.",
+    ),
+    ("grid = [0] * 9\nr = c = 3\nx = grid[r * 3 + c]\n", "has the index row * columns + column"),
+    ("x = []\nprint(x[0])\n", "x is empty. The first index is 0."),
+    ("x = 'a'\nprint(x[1])\n", "x has 1 character. The first index is 0."),
+    ("x = [].pop()\n", "There is nothing left in it"),
+    ("raise IndexError\n", None),
+    ("import numpy as np\ng = np.zeros((4, 4))\ng[102.5 / 5, 0] = 1\n", "math.floor(…)"),
+    ("import numpy as np\ng = np.zeros((4, 4))\nx = g[2.0]\n", "is a whole number"),
+    (
+        "import numpy as np\ng = np.zeros((4, 5))\nx = g[1, 5]\n",
+        "Along axis 1 the indices go from 0 to 4.",
+    ),
+    (
+        "import numpy as np\ng = np.zeros(4)\nx = g[1, 2]\n",
+        "The array has 1 axis, and here it is given 2.",
+    ),
+    ("import numpy as np\ng = np.zeros(4.0)\n", "A whole number is wanted here"),
+    ("x = [1, 2][3]\n", "The first index is 0."),
     ("grid = [0] * 10\nx = grid[10 / 5]\n", "use // to divide"),
     ("x = [1, 2][0.5:]\n", "use // to divide"),
     ("for i in range(200 / 5):\n    pass\n", "A whole number is wanted here: use // to divide"),
@@ -198,23 +289,48 @@ VALUES = [
     ("for i in 8:\n    pass\n", "for i in range(…):"),
     ("x = distance()[0]\n", "it has no parts"),
     ("x = len(3)\n", "This is a single number, not a list."),
-    ("x = 1 / 0\n", "What stands under the division is 0"),
-    ("x = 1 // 0.0\n", "What stands under the division is 0"),
-    ("x = 1 % 0\n", "What stands under the division is 0"),
-    ("import math\nx = math.log(0)\n", "log() wants more than 0"),
-    ("import math\nx = math.sqrt(-1)\n", "log() wants more than 0"),
-    ("import math\nx = math.acos(2)\n", "log() wants more than 0"),
+    ("x = 1 / 0\n", "Nothing can be divided by 0."),
+    ("p = 1.0\nx = p / (1 - p)\n", "1 - p is 0 here: ask with if before dividing."),
+    ("n = 0\nx = 5\nx /= n\n", "n is 0 here"),
+    ("a = b = 0\nx = 1 / (2 / 1 - 2) + 3 / b\n", "Something here is divided by 0"),
+    ("x = divmod(3, 0)\n", "Something here is divided by 0"),
+    ("x = 0.0 ** -1\n", "0 has no negative power"),
+    ("x = 1 // 0.0\n", "Nothing can be divided by 0."),
+    ("x = 1 % 0\n", "Nothing can be divided by 0."),
+    ("import math\nx = math.log(0)\n", "log() only works for numbers above 0"),
+    ("import math\np = 0.0\nx = math.log(p / (1 - p))\n", "log() only works for numbers above 0"),
+    ("import math\nx = math.sqrt(-1)\n", "sqrt() only works for numbers from 0 up"),
+    ("from math import acos\nx = acos(2)\n", "acos() only works for numbers from -1 to 1"),
+    ("import math\nx = math.log(math.sqrt(-1))\n", "log() wants more than 0, sqrt() 0 or more"),
+    (
+        "import math\np = 0.7\nx = math.log(p / 1 - p)\n",
+        "so p / 1 - p is p - p. Put brackets round what you divide by: p / (1 - p)",
+    ),
+    (
+        "import math\np = [0.7]\nx = math.log(p[0] / 1 - p[0])\n",
+        "Put brackets round what you divide by: p[0] / (1 - p[0])",
+    ),
     ("import math\nx = math.exp(1000)\n", "The number gets too large"),
     ("plot('a', float('inf') - float('inf'))\n", "nan and inf come from sums without an answer"),
     ("draw('a', [(1, float('nan'))])\n", "nan and inf come from sums without an answer"),
     ("draw('goal', (100, 150))\n", "A single point needs square brackets"),
     ("draw('goal', [[100, 150, 3]])\n", "Every point is a pair in brackets"),
-    ("table = {'free': 1}\nx = table['fre']\n", "Did you mean 'free'?"),
+    ("table = {'free': 1}\nx = table['fre']\n", "It is spelt 'free' on line 2 and 'fre' on line 3"),
+    ("x = {'free': 1}\nx['free'] += 1\nprint(x['fre'])\n", "Did you mean 'free'?"),
     ("table = {(0, 1): 1}\nx = table[0, 2]\n", "table.get(key, 0)"),
     ("x = int('3 cm')\n", "something else than a number"),
     ("x = float('wide')\n", "something else than a number"),
     ("t = {1: 2}\nfor k in t:\n    t[k + 1] = 3\n", "go through list(…) of it"),
     ("import numpy as np\nif np.zeros(3) == 0:\n    pass\n", "(…).any() or (…).all()"),
+    ("import numpy as np\na = np.zeros(3)\nx = a >= 0 and a < 2\n", "like (a > 0) & (b < 9)."),
+    ("import numpy as np\na = np.zeros(3)\nx = a < 0 or a > 2\n", "like (a > 0) | (b < 9)."),
+    (
+        "import numpy as np\na = np.zeros(3)\nif a >= 0 and a < 2:\n    pass\n",
+        "with .any() or .all().",
+    ),
+    ("import numpy as np\na = np.zeros(3)\nx = 0 < a < 2\n", "like (a < b) & (b < c)."),
+    ("import numpy as np\na = np.zeros(3)\nx = not a\n", "write ~ in its place"),
+    ("import numpy as np\na = np.zeros(3)\nx = max(a, 2)\n", "it is np.maximum(a, b)"),
     ("x = [0] * 10**14\n", "grow without end"),
     ("x = [0] * 10**40\n", "grow without end"),
     ("raise ValueError('something else')\n", None),

@@ -7,22 +7,33 @@ first that answers is the hint shown under the error. A slip looks only at types
 names and the text of a line: it never runs any of the learner's code.
 
     case.py       the error, its line and the names in sight there
+    copied.py     what comes along with copied text: invisible signs, prompts, commands
     syntax.py     what can't be read as Python
-    names.py      names, attributes and modules that are not there
+    names.py      names, attributes and keys that are not there
+    modules.py    modules that are not there
     calls.py      brackets, arguments, functions and what they give back
-    values.py     indices, kinds of values, arithmetic
+    values.py     indices, kinds of values
+    arithmetic.py sums without an answer, questions that an array can't answer
     arguments.py  wrong numbers of arguments of the robot's calls, in plain words
     quiet.py      programs that end without an error and yet did not do what was meant
 """
 
 from __future__ import annotations
 
-from bugbot.run.slips import calls, names, syntax, values
+from bugbot.run.slips import arithmetic, calls, copied, modules, names, syntax, values
 from bugbot.run.slips.case import Case
 
 __all__ = ["likely_cause"]
 
-_ORDER = (*syntax.SLIPS, *names.SLIPS, *calls.SLIPS, *values.SLIPS)
+_ORDER = (
+    *copied.SLIPS,
+    *syntax.SLIPS,
+    *names.SLIPS,
+    *modules.SLIPS,
+    *calls.SLIPS,
+    *arithmetic.SLIPS,
+    *values.SLIPS,
+)
 
 
 def likely_cause(case: Case) -> str | None:

@@ -53,7 +53,8 @@ def _covered_up(case: Case) -> str | None:
             )
         if kind in ("list", "tuple", "dict"):
             return f"{name} is a {kind}: to take something out of it use square brackets: {name}[…]"
-        return f"A line above makes {name} a value of type {kind}, and that can't be called."
+        missing = f" To multiply write *: {name} * (…)" if kind in ("int", "float") else ""
+        return f"{name} is a value of type {kind}, and that can't be called.{missing}"
     if kind in ("int", "float"):
         return "Between a number and a bracket there must be a sign, such as *: 2 * (x + 1)"
     if kind in ("tuple", "list", "str"):
@@ -68,9 +69,14 @@ def _unpacked_wrongly(case: Case) -> str | None:
     for name, gives in _GIVES.items():
         if re.search(rf"\b{name}\s*\(", case.code):
             return f"{name}() gives {gives}"
-    found = re.search(r"expected (?:at least )?(\d+)", case.message)
+    found = re.search(r"expected (at least )?(\d+)(?:, got (\d+))?", case.message)
     if found:
-        return f"The line takes apart into {found[1]} names, but there are not so many values."
+        if found[1]:
+            return f"The names on the left want at least {found[2]} values and get {found[3]}."
+        names = f"{found[2]} name{'' if found[2] == '1' else 's'}"
+        if not found[3]:  # before Python 3.14 it does not count them
+            return f"There are more values than the {names} on the left."
+        return f"The {names} on the left get {found[3]} value{'' if found[3] == '1' else 's'}."
     return "Only a list, a tuple or the like can be taken apart into several names."
 
 

@@ -5,10 +5,13 @@ May import: the standard library, `bugbot.api`.
 
 from __future__ import annotations
 
+import ast
 import builtins
 import re
+import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from bugbot import api
 
@@ -49,8 +52,42 @@ class Case:
     @property
     def code(self) -> str:
         """The learner's line without its comment and with every text in quotes emptied."""
-        plain = re.sub(r"\"[^\"]*\"|'[^']*'", '""', self.text)
-        return plain.partition("#")[0]
+        return _code(self.text)
+
+    def lines_with(self, word: str, quoted: bool = False) -> list[int]:
+        """The lines on which a name stands, or a text in quotes."""
+        pattern = f"(['\"]){re.escape(word)}\\1" if quoted else rf"(?<!\w){re.escape(word)}(?!\w)"
+        return [
+            number
+            for number, text in enumerate(self.lines, 1)
+            if re.search(pattern, text if quoted else _code(text))
+        ]
+
+    @property
+    def raised_on_it(self) -> bool:
+        """Whether the error came up on the line itself and not in a function of somebody else's."""
+        step = self.error.__traceback__
+        while step is not None and step.tb_next is not None:
+            step = step.tb_next
+        return step is not None and step.tb_frame.f_code.co_filename == self.filename
+
+    def parts(self, *kinds: type[ast.AST]) -> list[Any]:
+        """The parts of the program of these kinds that reach over the learner's line."""
+        if self.line is None or isinstance(self.error, SyntaxError):
+            return []
+        with warnings.catch_warnings():  # they have been shown when the program was compiled
+            warnings.simplefilter("ignore")
+            try:
+                tree = ast.parse("\n".join(self.lines))
+            except (SyntaxError, ValueError, RecursionError, MemoryError):
+                return []
+        nodes: list[Any] = [each for each in ast.walk(tree) if isinstance(each, kinds)]
+        return [each for each in nodes if each.lineno <= self.line <= each.end_lineno]
+
+
+def _code(text: str) -> str:
+    plain = re.sub(r"\"[^\"]*\"|'[^']*'", '""', text)
+    return plain.partition("#")[0]
 
 
 def lines_of(source: str) -> list[str]:

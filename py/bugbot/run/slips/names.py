@@ -9,11 +9,11 @@ import builtins
 import keyword
 import math
 import re
-import sys
 
-import bugbot
 from bugbot.errors import nearest
 from bugbot.run.slips.case import CALLS, Case, Slip
+from bugbot.run.slips.copied import alike
+from bugbot.run.slips.modules import MODULES
 
 __all__ = ["SLIPS"]
 
@@ -35,8 +35,6 @@ _OTHER_WORDS = {
 """What other languages, and other robots, call it."""
 
 _USUAL = {"np": "import numpy as np", "plt": "nothing: draw charts with plot(name, value)"}
-_MODULES = ("collections", "copy", "functools", "itertools", "json", "math", "numpy", "random",
-            "re", "statistics", "sys", "time")  # fmt: skip
 
 
 def _name(case: Case) -> str | None:
@@ -69,7 +67,7 @@ def _not_imported(case: Case) -> str | None:
         return "Put this line at the top of the program: from bugbot import *"
     if name in _USUAL:
         return f"Put this line at the top of the program: {_USUAL[name]}"
-    if name in _MODULES:
+    if name in MODULES:
         return f"Put this line at the top of the program: import {name}"
     if name in vars(math):
         if "math" in case.scope:
@@ -92,7 +90,7 @@ def _given_later(case: Case) -> str | None:
     gives = re.compile(rf"\s*(?:def\s+{name}\b|class\s+{name}\b|{name}\s*=(?!=))")
     for number in range(case.line + 1, len(case.lines) + 1):
         if gives.match(case.text_of(number)):
-            return f"{name} only comes to be on line {number}, after this line: move that up."
+            return f"{name} first gets its value on line {number}, after this line: move that up."
     return None
 
 
@@ -101,12 +99,36 @@ def _misspelt(case: Case) -> str | None:
     if name is None:
         return None
     own = [each for each in case.scope if not each.startswith("__")]
+    for each in own:
+        if same := alike(case, name, each):
+            return same
     near = nearest(name, [*own, *CALLS, *dir(builtins), *keyword.kwlist])
     if near is None:
         return None
+    if near in own and near not in CALLS:
+        return _two_spellings(case, near, name)
     if near in CALLS and near not in case.scope:
         return f"Did you mean {near}? It needs this line at the top: from bugbot import *"
     return _meant(near, name)
+
+
+def _two_spellings(case: Case, near: str, name: str, quoted: bool = False) -> str:
+    """Which of two names of the program's own is the slip, if one sees it; else where each is."""
+    of_near, of_name = case.lines_with(near, quoted), case.lines_with(name, quoted)
+    shown = (repr(near), repr(name)) if quoted else (near, name)
+    if not of_near or not of_name or len(of_near) > max(1, len(of_name)):
+        return f"Did you mean {shown[0]}?"
+    return (
+        f"It is spelt {shown[0]} on {_lines(of_near)} and {shown[1]} on {_lines(of_name)}: make "
+        "them the same."
+    )
+
+
+def _lines(numbers: list[int]) -> str:
+    first = [str(each) for each in numbers[:3]]
+    if len(first) == 1:
+        return f"line {first[0]}"
+    return f"lines {', '.join(first[:-1])} and {first[-1]}"
 
 
 def _meant(near: str, name: str) -> str:
@@ -164,33 +186,26 @@ def _attribute(case: Case) -> str | None:
     if isinstance(thing, list) and name in _METHODS:
         return f"For a list this is {_METHODS[name]}."
     near = nearest(name, [each for each in dir(thing) if not each.startswith("_")])
+    if near and type(thing).__module__ == "__main__":
+        return _two_spellings(case, near, name)
     return _meant(near, name) if near else None
 
 
-def _module(case: Case) -> str | None:
+def _key(case: Case) -> str | None:
     error = case.error
-    if not isinstance(error, ImportError):
+    if not isinstance(error, KeyError) or len(error.args) != 1:
         return None
-    if not isinstance(error, ModuleNotFoundError):
-        near = nearest(_quoted(case.message), bugbot.__all__)
-        return f"Did you mean {near}?" if near and error.name == "bugbot" else None
-    wanted = (error.name or "").partition(".")[0]
-    near = nearest(wanted, ["bugbot", *_MODULES])
-    if near and near != wanted:
-        return _meant(near, wanted)
-    if wanted == "numpy":
-        return "numpy is not there yet. On your own computer: python -m pip install numpy"
-    if wanted in sys.stdlib_module_names:
-        return f"{wanted} is part of Python, but can't be had in a browser."
-    return (
-        "There is Python's own library (math, random, …), bugbot and numpy; other packages "
-        "can't be had here."
-    )
-
-
-def _quoted(message: str) -> str:
-    found = re.search(r"'(\w+)'", message)
-    return found[1] if found else ""
+    key = error.args[0]
+    tables = [
+        value
+        for name in re.findall(r"\b([A-Za-z_]\w*)\s*\[", case.code)
+        if isinstance(value := case.scope.get(name), dict)
+    ]
+    keys = [each for table in tables for each in table if isinstance(each, str)]
+    near = nearest(key, keys) if isinstance(key, str) else None
+    if near is not None:
+        return _two_spellings(case, near, key, quoted=True)
+    return "Ask first with: if key in table: … or take a default: table.get(key, 0)"
 
 
 SLIPS: tuple[Slip, ...] = (
@@ -203,5 +218,5 @@ SLIPS: tuple[Slip, ...] = (
     _unknown,
     _unbound,
     _attribute,
-    _module,
+    _key,
 )

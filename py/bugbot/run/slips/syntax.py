@@ -6,7 +6,6 @@ May import: the standard library, the rest of `bugbot.run.slips`.
 from __future__ import annotations
 
 import re
-import unicodedata
 
 from bugbot.run.slips.case import Case, Slip
 
@@ -16,8 +15,6 @@ _BLOCK_WITH_BRACE = r"^\s*(if|for|while|def|else)\b.*\{\s*$"
 _NO_BRACES = "Python puts no { } round a block: a colon and an indent do it."
 
 _FOREIGN: tuple[tuple[str, str], ...] = (
-    (r"^\s*```", "Leave out the lines with ```: they belong to the page it was copied from."),
-    (r"^\s*>>>", "Leave out the >>> at the start of the line: it is Python's prompt, not program."),
     (r"\belse\s+if\b", "Python writes else if as one word: elif."),
     (r"^\s*(elseif|elsif)\b", "Python's word for this is elif."),
     (r"&&", "Python writes && as the word and."),
@@ -97,8 +94,8 @@ _BY_MESSAGE: tuple[tuple[str, str], ...] = (
     (r"^leading zeros", "A number does not begin with 0: write 7, not 007."),
     (
         r"^invalid decimal literal",
-        "A number runs into letters: units like cm are not written, and a name can't begin "
-        "with a digit.",
+        "A number runs into letters: units like cm are not written, a name can't begin with a "
+        "digit, and to multiply write *: 2 * x.",
     ),
     (
         r"^positional argument follows keyword",
@@ -114,40 +111,6 @@ _BY_MESSAGE: tuple[tuple[str, str], ...] = (
     (r"null bytes", "There are unreadable characters in the program: type it anew."),
 )
 """Pattern in Python's message -> hint."""
-
-_LOOKALIKES = {
-    "“": '"',
-    "”": '"',
-    "„": '"',
-    "«": '"',
-    "»": '"',
-    "‘": "'",
-    "’": "'",
-    "´": "'",
-    "−": "-",
-    "–": "-",
-    "—": "-",
-    "×": "*",
-    "·": "*",
-    "÷": "/",
-    "≤": "<=",
-    "≥": ">=",
-    "≠": "!=",
-    "…": "...",
-}
-
-
-def _strange_character(case: Case) -> str | None:
-    found = re.match(r"invalid (?:character|non-printable character).*U\+([0-9A-F]+)", case.message)
-    if not found:
-        return None
-    character = chr(int(found[1], 16))
-    plain = _LOOKALIKES.get(character) or unicodedata.normalize("NFKC", character)
-    if plain.isspace():
-        return "There is a space of a special kind, as web pages have: delete it and type a space."
-    if plain != character and plain.isascii():
-        return f"{character} is not the sign on the keyboard: write {plain} instead."
-    return f"Python has no sign {character}: units and the like are left out, or go in a comment."
 
 
 def _foreign(case: Case) -> str | None:
@@ -179,5 +142,5 @@ def _only_syntax(slip: Slip) -> Slip:
 
 
 SLIPS: tuple[Slip, ...] = tuple(
-    map(_only_syntax, (_strange_character, _foreign, _brace_above, _unreadable, _by_message))
+    map(_only_syntax, (_foreign, _brace_above, _unreadable, _by_message))
 )

@@ -1,4 +1,4 @@
-"""Slips with values: indices, kinds that do not mix, arithmetic without an answer.
+"""Slips with values: indices, kinds that do not mix, too much of something.
 
 May import: the standard library, `bugbot.errors`, the rest of `bugbot.run.slips`.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from bugbot.errors import BugbotError, nearest
+from bugbot.errors import BugbotError
 from bugbot.run.slips.case import Case, Slip
 
 __all__ = ["SLIPS"]
@@ -16,22 +16,57 @@ __all__ = ["SLIPS"]
 def _index_out_of_range(case: Case) -> str | None:
     if not isinstance(case.error, IndexError):
         return None
-    hint = (
-        "The first has number 0. In a grid kept as one list, the cell (column, row) is number "
-        "row * columns + column, and a point beyond the mat has no cell."
-    )
+    if case.message.startswith("pop from"):
+        return "There is nothing left in it: ask first, for example with while queue:"
+    axis = re.search(r"is out of bounds for axis (\d) with size (\d+)", case.message)
+    if axis:
+        return (
+            f"Along axis {axis[1]} the indices go from 0 to {int(axis[2]) - 1}. In "
+            "grid[row, column] axis 0 is the row, and a point off the mat has no cell."
+        )
+    many = re.search(r"array is (\d)-dimensional, but (\d)", case.message)
+    if many:
+        return f"The array has {_counted(many[1], 'axis', 'axes')}, and here it is given {many[2]}."
+    if not re.search(r"index out of range|assignment index", case.message):
+        return None
     sizes = [
-        f"{name} has {len(value)}, with the numbers 0 to {len(value) - 1}."
+        _size(name, value)
         for name in dict.fromkeys(re.findall(r"\b([A-Za-z_]\w*)\s*\[", case.code))
         if isinstance(value := case.scope.get(name), list | tuple | str)
     ]
+    hint = "The first index is 0."
+    if re.search(r"\[[^\]]*\*[^\]]*\+[^\]]*\]|\[[^\]]*\+[^\]]*\*[^\]]*\]", case.code):
+        hint += (
+            " In a grid kept as one list, the cell (column, row) has the index row * columns + "
+            "column, and a point off the mat has no cell."
+        )
     return " ".join([*sizes, hint])
 
 
+def _size(name: str, value: list[object] | tuple[object, ...] | str) -> str:
+    if not value:
+        return f"{name} is empty."
+    parts = ("character", "characters") if isinstance(value, str) else ("item", "items")
+    last = f", with the indices 0 to {len(value) - 1}" if len(value) > 1 else ""
+    return f"{name} has {_counted(str(len(value)), *parts)}{last}."
+
+
+def _counted(number: str, one: str, many: str) -> str:
+    return f"{number} {one if number == '1' else many}"
+
+
 def _float_index(case: Case) -> str | None:
+    if case.message.startswith("only integers, slices"):
+        return (
+            "An index of an array is a whole number: use // to divide, or int(…) or math.floor(…) "
+            "round it."
+        )
     if re.search(r"indices must be integers.* not '?float|slice indices must be", case.message):
         return "An index is a whole number: use // to divide, or int(…) round it."
-    if re.search(r"'float' object cannot be interpreted as an integer", case.message):
+    if re.search(
+        r"'float' object cannot be interpreted as an integer|sequence of integers or a single int",
+        case.message,
+    ):
         return "A whole number is wanted here: use // to divide, or int(…) round it."
     return None
 
@@ -72,36 +107,6 @@ def _not_a_list(case: Case) -> str | None:
     return None
 
 
-def _division(case: Case) -> str | None:
-    if isinstance(case.error, ZeroDivisionError):
-        return "What stands under the division is 0 here: ask with if before dividing."
-    return None
-
-
-def _no_answer(case: Case) -> str | None:
-    if isinstance(case.error, OverflowError):
-        return "The number gets too large. exp() of more than 709 does: clamp what goes into it."
-    found = re.search(
-        r"math domain error|expected a (positive|nonnegative) (input|number)", case.message
-    )
-    if isinstance(case.error, ValueError) and (found or "range from" in case.message):
-        return (
-            "log() wants more than 0, sqrt() 0 or more, asin() and acos() -1 to 1. With "
-            "probabilities: p must not be 0 or 1."
-        )
-    return None
-
-
-def _not_a_number(case: Case) -> str | None:
-    if isinstance(case.error, BugbotError) and re.search(
-        r"(it|\d) (got|is) .*\b(nan|inf)\b", case.message
-    ):
-        return (
-            "nan and inf come from sums without an answer, like inf - inf: look where it came in."
-        )
-    return None
-
-
 def _single_point(case: Case) -> str | None:
     """`draw("goal", (100, 150))`: a point where a list of points is wanted."""
     if isinstance(case.error, BugbotError) and "in each point; point number 0 is" in case.message:
@@ -109,23 +114,6 @@ def _single_point(case: Case) -> str | None:
             return "A single point needs square brackets round it as well: [(x, y)]"
         return "Every point is a pair in brackets, in cm on the mat: [(100, 150), (105, 150)]"
     return None
-
-
-def _key(case: Case) -> str | None:
-    error = case.error
-    if not isinstance(error, KeyError) or len(error.args) != 1:
-        return None
-    key = error.args[0]
-    tables = [
-        value
-        for name in re.findall(r"\b([A-Za-z_]\w*)\s*\[", case.code)
-        if isinstance(value := case.scope.get(name), dict)
-    ]
-    keys = [each for table in tables for each in table if isinstance(each, str)]
-    near = nearest(key, keys) if isinstance(key, str) else None
-    if near is not None:
-        return f"Did you mean {near!r}?"
-    return "Ask first with: if key in table: … or take a default: table.get(key, 0)"
 
 
 def _conversion(case: Case) -> str | None:
@@ -140,12 +128,6 @@ def _changed_while_looping(case: Case) -> str | None:
     return None
 
 
-def _array_truth(case: Case) -> str | None:
-    if "truth value of an array" in case.message:
-        return "An array has many answers: ask with (…).any() or (…).all()"
-    return None
-
-
 def _memory(case: Case) -> str | None:
     too_large = isinstance(case.error, OverflowError) and "index-sized" in case.message
     if isinstance(case.error, MemoryError) or too_large:
@@ -155,17 +137,12 @@ def _memory(case: Case) -> str | None:
 
 SLIPS: tuple[Slip, ...] = (
     _memory,
-    _index_out_of_range,
     _float_index,
+    _index_out_of_range,
     _pair_index,
     _text_and_number,
     _not_a_list,
-    _division,
-    _no_answer,
-    _not_a_number,
     _single_point,
-    _key,
     _conversion,
     _changed_while_looping,
-    _array_truth,
 )
