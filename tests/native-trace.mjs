@@ -43,3 +43,16 @@ export function partingOf(got, expected) {
 function same(a, b) {
   return a === b || isDeepStrictEqual(JSON.parse(a), JSON.parse(b));
 }
+
+/**
+ * The outcome of a program under plain CPython, to hold a browser's against.
+ * @param {{ program: string, world: string, seed: number }} run
+ * @returns {unknown}
+ */
+export function nativeOutcome({ program, world, seed }) {
+  const args = ["-m", "bugbot", "run", "-", "--world", world, "--seed", `${seed}`, "--json"];
+  const env = { ...process.env, PYTHONPATH: join(ROOT, "py") };
+  const done = spawnSync(venvTool("python"), args, { env, encoding: "utf8", input: program });
+  if (done.status !== 0) throw new Error(`the program has failed under CPython:\n${done.stderr}`);
+  return JSON.parse(done.stdout);
+}
