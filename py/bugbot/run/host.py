@@ -127,6 +127,8 @@ def _show_warnings_in(program: str) -> None:
         ResourceWarning,
     ):
         warnings.simplefilter("ignore", quiet)
+    # Of 2(x) it says that a comma is missing; the error says what is.
+    warnings.filterwarnings("ignore", ".* is not callable; perhaps", SyntaxWarning)
     warnings.filterwarnings("default", category=DeprecationWarning, module="__main__")
 
 

@@ -84,6 +84,12 @@ SYNTAX = [
     ("```python\n", 1, "the lines with ```"),
     (">>> x = 3\n", 1, "Leave out the >>>"),
     ("x = ?\n", 1, None),
+    (
+        "for angle distance in scan():\n    pass\n",
+        1,
+        "there must be a comma: for angle, distance_cm",
+    ),
+    ("if d > 3 and < 5:\n    pass\n", 1, "needs both its values"),
     ("x = 2y\n", 1, "to multiply write *: 2 * x"),
     (
         "grid = [0] * 4\u200b\n",
@@ -104,8 +110,8 @@ SYNTAX = [
     ),
     ("... y = 2\n", 1, "Leave out the ... at the start of the line"),
     ("In [ ]: for i in range(3):\n", 1, "it is a notebook's prompt"),
-    ("!pip install numpy\n", 1, "Nothing has to be installed here"),
-    ("%pip install numpy\n", 1, "Nothing has to be installed here"),
+    ("!pip install numpy\n", 1, "Nothing can be installed here"),
+    ("%pip install numpy\n", 1, "Nothing can be installed here"),
     ("pip install matplotlib\n", 1, "This is a command for a terminal"),
     ("$ python program.py\n", 1, "This is a command for a terminal"),
     ("python3 -m bugbot run program.py\n", 1, "This is a command for a terminal"),
@@ -180,6 +186,20 @@ NAMES = [
     ("from bugbot import *\nposition.x\n", 2, "call it with brackets: position()"),
     ("from bugbot import *\nposition().x\n", 2, "x, y = position()"),
     ("x = 3\nx.qqq\n", 2, None),
+    ("move(50)\n", 1, "This robot's call for it is forward(50)."),
+    ("robot.forward(50)\n", 1, "Put this line above: robot = connect()."),
+    (
+        "from bugbot import *\nconnect().jump()\n",
+        2,
+        "The robot's calls are backward, battery, beep",
+    ),
+    ("import time\ntime.wait(1)\n", 2, "wait() is the robot's own call: leave out time."),
+    ("s = set()\ns.append(1)\n", 2, "For a set this is add."),
+    ("s = {}\ns.add(1)\n", 2, "An empty set is set()"),
+    ("import numpy as np\nnp.zeros(3).append(1)\n", 2, "An array keeps its size"),
+    ("class A:\n    def f(self):\n        self.x = 1\nA.x\n", 4, "A is the class: A() makes"),
+    ("class A:\n    def __init__(self):\n        cells = {}\nA().cells\n", 4, "self.cells = …"),
+    ("from math import sqrt\nsqr(4)\n", 2, "Did you mean sqrt?"),
     ("import mathh\n", 1, "Did you mean math?"),
     ("import Bugbot\n", 1, "Did you mean bugbot? Capital and small letters count."),
     ("import pandas\n", 1, "pandas can't be had here: numpy has arrays."),
@@ -241,6 +261,12 @@ CALLS_ = [
     ("draw('a', [], color='red')\n", "It is spelt colour here."),
     ("draw('a', [], colur='red')\n", "Did you mean colour?"),
     ("draw('a', [], qqq='red')\n", None),
+    ("forward(50, time=3)\n", "To go on for a time: forward(50) and then wait(3)."),
+    ("turn('left')\n", "turn(90) is to the right, turn(-90) to the left."),
+    ("turn(left, 90)\n", "turn(90) is to the right, turn(-90) to the left."),
+    ("turn(90, speed=-30)\n", "turn(90) is to the right, turn(-90) to the left."),
+    ("t = {'a': 1}\nfor k, v in t:\n    pass\n", "for key, value in t.items():"),
+    ("import numpy as np\ngrid = np.zeros((4, 4))\ngrid(1, 2)\n", "grid is an array: to take"),
     ("def f(x):\n    pass\nf(qqq=1)\n", "f is defined on line 2: def f(x):"),
     ("wait('2')\n", "A number is written without quotes"),
     ("def f():\n    pass\nx = f() + 1\n", "Something here is None"),
@@ -319,6 +345,22 @@ VALUES = [
     ("x = {'free': 1}\nx['free'] += 1\nprint(x['fre'])\n", "Did you mean 'free'?"),
     ("table = {(0, 1): 1}\nx = table[0, 2]\n", "table.get(key, 0)"),
     ("x = int('3 cm')\n", "something else than a number"),
+    ("x = int('5.5')\n", "int() reads whole numbers only"),
+    ("x = float(' ')\n", "The text is empty."),
+    ("draw('goal', 100, 150)\n", "draw() wants a list of them"),
+    ("s = {[1, 2]}\n", "A list can't be in a set or be a key: use a tuple"),
+    ("t = {{1}: 2}\n", "use frozenset(…)"),
+    ("x = scan()\nif x[0] < 20:\n    pass\n", "One side is a tuple, several values at once"),
+    ("x = (3, 5) + 1\n", "With a comma, 3,5 is one as well: 3.5"),
+    ("x = [0] * 2.5\n", "A whole number is wanted here"),
+    ("x = '3' * '4'\n", "A text or a list can only be repeated"),
+    ("import random\nx = random.randint(0, 5.5)\n", "A whole number is wanted here"),
+    (
+        "import numpy as np\nx = np.zeros(4, 4)\n",
+        "in brackets of its own: np.zeros((rows, columns))",
+    ),
+    ("import numpy as np\nx = np.array([1, 2], [3, 4])\n", "np.array([[1, 2], [3, 4]])"),
+    ("import numpy as np\nx = np.zeros(3) + np.zeros(4)\n", "print the shape of each"),
     ("x = float('wide')\n", "something else than a number"),
     ("t = {1: 2}\nfor k in t:\n    t[k + 1] = 3\n", "go through list(…) of it"),
     ("import numpy as np\nif np.zeros(3) == 0:\n    pass\n", "(…).any() or (…).all()"),
@@ -423,6 +465,19 @@ def test_python_complaining_oddly_of_a_call_is_passed_on(run_calls: Run) -> None
         ("x = 3\nx == 4", "Line 3 only compares"),
         ("import math\nwait(1)\nx = math.sin(heading())", "Line 4: sin() wants radians"),
         ("from math import cos\nh = heading()\nx = cos(h)", "Line 4: cos() wants radians"),
+        ("from math import cos\nx, y, h = odometry()\nx = cos(h)", "Line 4: cos() wants radians"),
+        (
+            "from math import sin\nfor angle, d in scan():\n    x = sin(angle)",
+            "Line 4: sin() wants radians",
+        ),
+        (
+            "print(position)",
+            "Line 2 prints the function position itself: what it gives is position()",
+        ),
+        ("def go():\n    pass\ngo", "Line 4: go does nothing without its brackets: go()"),
+        ("n = 3\nn =+ 1", "Line 3: =+ gives n a new value. To add to the old one write +="),
+        ("draw('wall', scan())", "Line 2: scan() gives angles and distances"),
+        ("forward(0.5)\nwait(1)", "0.5 of full speed is forward(50)."),
     ],
 )
 def test_programs_that_finish_and_yet_missed_something(
@@ -446,6 +501,11 @@ def test_programs_that_finish_and_yet_missed_something(
         "x = [sin for sin in (1, 2)]\nx[0]",
         "def sin():\n    return 1\nx = sin() + (lambda: 1)()",
         "1 if clock() == 0 else 2",
+        "from math import radians, sin\nh = heading()\nh = radians(h)\nx = sin(h)",
+        "from math import radians, sin\nheading = radians(heading())\nx = sin(heading)",
+        "from math import sin\nfor angle, d in scan():\n    angle /= 57.3\n    x = sin(angle)",
+        "position = 3\nprint(position)",
+        "forward(1)\nforward(0.0)\nwait(1)",
     ],
 )
 def test_sound_programs_get_no_remark(run_calls: Run, program: str) -> None:
@@ -498,3 +558,8 @@ def test_a_case_without_a_line_has_no_text() -> None:
     assert nowhere.text == ""
     assert nowhere.text_of(2) == ""
     assert likely_cause(nowhere) is None
+
+
+def test_python_does_not_speak_of_a_comma_where_a_sign_is_missing(run: Run) -> None:
+    ran = run("x = 3\ny = 2(x)")
+    assert ran.console == ""

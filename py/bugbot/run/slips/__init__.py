@@ -9,7 +9,9 @@ names and the text of a line: it never runs any of the learner's code.
     case.py       the error, its line and the names in sight there
     copied.py     what comes along with copied text: invisible signs, prompts, commands
     syntax.py     what can't be read as Python
-    names.py      names, attributes and keys that are not there
+    names.py      names that are not there
+    attributes.py attributes and keys that are not there
+    spelling.py   two names that are nearly the same
     modules.py    modules that are not there
     calls.py      brackets, arguments, functions and what they give back
     values.py     indices, kinds of values
@@ -20,7 +22,16 @@ names and the text of a line: it never runs any of the learner's code.
 
 from __future__ import annotations
 
-from bugbot.run.slips import arithmetic, calls, copied, modules, names, syntax, values
+from bugbot.run.slips import (
+    arithmetic,
+    attributes,
+    calls,
+    copied,
+    modules,
+    names,
+    syntax,
+    values,
+)
 from bugbot.run.slips.case import Case
 
 __all__ = ["likely_cause"]
@@ -29,6 +40,7 @@ _ORDER = (
     *copied.SLIPS,
     *syntax.SLIPS,
     *names.SLIPS,
+    *attributes.SLIPS,
     *modules.SLIPS,
     *calls.SLIPS,
     *arithmetic.SLIPS,

@@ -13,6 +13,8 @@ from bugbot.run.slips.case import CALLS, Case, Slip, bare_calls
 
 __all__ = ["SLIPS"]
 
+_SIDES = "turn(90) is to the right, turn(-90) to the left."
+
 _GIVES = {
     "scan": "8 pairs: for angle, distance_cm in scan():",
     "position": "two numbers: x, y = position()",
@@ -29,6 +31,8 @@ def _brackets_forgotten(case: Case) -> str | None:
     if re.search(r"\(\) (missing|takes|got)", case.message):
         return None
     named = re.search(r"the function (\w+)", case.message)
+    if named and named[1] in ("left", "right") and case.message.startswith("turn("):
+        return _SIDES
     names = [named[1]] if named else bare_calls(case)
     if not names:
         return None
@@ -38,7 +42,7 @@ def _brackets_forgotten(case: Case) -> str | None:
 
 def _covered_up(case: Case) -> str | None:
     """`distance = distance()` works once; then the name is a number."""
-    found = re.match(r"'(\w+)' object is not callable", case.message)
+    found = re.match(r"'(?:numpy\.)?(\w+)' object is not callable", case.message)
     if not found:
         return None
     kind = found[1]
@@ -51,8 +55,9 @@ def _covered_up(case: Case) -> str | None:
                 f"A line above makes {name} a value of type {kind}, so the robot's call {name}() "
                 f"is covered up: choose another name there, like my_{name}."
             )
-        if kind in ("list", "tuple", "dict"):
-            return f"{name} is a {kind}: to take something out of it use square brackets: {name}[…]"
+        if kind in ("list", "tuple", "dict", "ndarray"):
+            what = "an array" if kind == "ndarray" else f"a {kind}"
+            return f"{name} is {what}: to take something out of it use square brackets: {name}[…]"
         missing = f" To multiply write *: {name} * (…)" if kind in ("int", "float") else ""
         return f"{name} is a value of type {kind}, and that can't be called.{missing}"
     if kind in ("int", "float"):
@@ -66,6 +71,9 @@ def _unpacked_wrongly(case: Case) -> str | None:
     """`a, d = scan()`, `x, y, h = position()`, `for d in scan()` and then `a, d = d[0]`."""
     if not re.search(r"to unpack|cannot unpack", case.message):
         return None
+    table = re.match(r"\s*for\s+.+\s+in\s+(\w+)\s*:", case.code)
+    if table and isinstance(case.scope.get(table[1]), dict):
+        return f"A dictionary gives its keys; for both: for key, value in {table[1]}.items():"
     for name, gives in _GIVES.items():
         if re.search(rf"\b{name}\s*\(", case.code):
             return f"{name}() gives {gives}"
@@ -130,11 +138,22 @@ def _keyword(case: Case) -> str | None:
         return None
     if found[2] == "color":
         return "It is spelt colour here."
+    if found[2] in ("time", "seconds", "duration", "t") and found[1] in CALLS:
+        return f"To go on for a time: {found[1]}(50) and then wait(3)."
     function = case.scope.get(found[1])
     if found[1] in CALLS and callable(function):
         near = nearest(found[2], list(signature(function).parameters))
         return f"Did you mean {near}?" if near else None
     return None
+
+
+def _side(case: Case) -> str | None:
+    """`turn("left")`, `turn(90, speed=-30)`."""
+    if not isinstance(case.error, BugbotError) or not case.message.startswith("turn("):
+        return None
+    word = re.search(r"it got '(left|right)'$", case.message, re.IGNORECASE)
+    negative = re.search(r"for speed; it got -[\d.]+$", case.message)
+    return _SIDES if word or negative else None
 
 
 def _number_in_quotes(case: Case) -> str | None:
@@ -163,6 +182,7 @@ SLIPS: tuple[Slip, ...] = (
     _unpacked_wrongly,
     _sequence_as_number,
     _keyword,
+    _side,
     _number_in_quotes,
     _none,
     _method_without_self,

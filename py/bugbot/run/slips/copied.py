@@ -16,8 +16,8 @@ _PROMPT = (
     "Leave out the {0} at the start of the line: it is {1}'s prompt, not a part of the program."
 )
 _TERMINAL = (
-    "This is a command for a terminal, not Python: leave the line out. Nothing has to be installed "
-    "here: bugbot, NumPy and Python's own library are there."
+    "This is a command for a terminal, not Python: leave the line out. Nothing can be installed "
+    "here, and bugbot, NumPy and Python's own library are there already."
 )
 
 _LINES: tuple[tuple[str, str], ...] = (

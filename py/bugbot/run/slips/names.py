@@ -14,6 +14,7 @@ from bugbot.errors import nearest
 from bugbot.run.slips.case import CALLS, Case, Slip
 from bugbot.run.slips.copied import alike
 from bugbot.run.slips.modules import MODULES
+from bugbot.run.slips.spelling import is_own, meant, two_spellings
 
 __all__ = ["SLIPS"]
 
@@ -32,7 +33,19 @@ _OTHER_WORDS = {
     "printf": "print",
     "println": "print",
 }
-"""What other languages, and other robots, call it."""
+"""What other languages call it."""
+
+_OTHER_ROBOTS = {
+    **dict.fromkeys(("move", "go_forward", "move_forward", "drive_forward"), "forward(50)"),
+    **dict.fromkeys(("go_back", "move_backward", "drive_backward", "reverse"), "backward(50)"),
+    **dict.fromkeys(("turn_left", "rotate_left"), "turn(-90)"),
+    **dict.fromkeys(("turn_right", "rotate_right", "rotate"), "turn(90)"),
+    **dict.fromkeys(("get_distance", "read_distance", "ultrasonic"), "distance()"),
+    **dict.fromkeys(("get_position", "get_pose", "pose"), "position()"),
+    **dict.fromkeys(("get_heading", "get_angle", "yaw"), "heading()"),
+    **dict.fromkeys(("halt", "brake"), "stop()"),
+}
+"""What other robots call it."""
 
 _USUAL = {"np": "import numpy as np", "plt": "nothing: draw charts with plot(name, value)"}
 
@@ -48,6 +61,10 @@ def _other_language(case: Case) -> str | None:
     name = _name(case)
     if name in _OTHER_WORDS and name not in case.scope:
         return f"In Python this is written {_OTHER_WORDS[name]}."
+    if name in _OTHER_ROBOTS:
+        return f"This robot's call for it is {_OTHER_ROBOTS[name]}."
+    if name == "robot":
+        return "Put this line above: robot = connect(). Or leave out robot. and call forward(50)."
     return None
 
 
@@ -105,35 +122,11 @@ def _misspelt(case: Case) -> str | None:
     near = nearest(name, [*own, *CALLS, *dir(builtins), *keyword.kwlist])
     if near is None:
         return None
-    if near in own and near not in CALLS:
-        return _two_spellings(case, near, name)
+    if near in own and is_own(case.scope[near]):
+        return two_spellings(case, near, name)
     if near in CALLS and near not in case.scope:
         return f"Did you mean {near}? It needs this line at the top: from bugbot import *"
-    return _meant(near, name)
-
-
-def _two_spellings(case: Case, near: str, name: str, quoted: bool = False) -> str:
-    """Which of two names of the program's own is the slip, if one sees it; else where each is."""
-    of_near, of_name = case.lines_with(near, quoted), case.lines_with(name, quoted)
-    shown = (repr(near), repr(name)) if quoted else (near, name)
-    if not of_near or not of_name or len(of_near) > max(1, len(of_name)):
-        return f"Did you mean {shown[0]}?"
-    return (
-        f"It is spelt {shown[0]} on {_lines(of_near)} and {shown[1]} on {_lines(of_name)}: make "
-        "them the same."
-    )
-
-
-def _lines(numbers: list[int]) -> str:
-    first = [str(each) for each in numbers[:3]]
-    if len(first) == 1:
-        return f"line {first[0]}"
-    return f"lines {', '.join(first[:-1])} and {first[-1]}"
-
-
-def _meant(near: str, name: str) -> str:
-    letters = " Capital and small letters count." if near.lower() == name.lower() else ""
-    return f"Did you mean {near}?{letters}"
+    return meant(near, name)
 
 
 def _unknown(case: Case) -> str | None:
@@ -159,55 +152,6 @@ def _unbound(case: Case) -> str | None:
     return f"On the way to this line nothing has given {name} a value: give it one before the if."
 
 
-_METHODS = {
-    "push": "append",
-    "add": "append",
-    "length": "len(…)",
-    "size": "len(…)",
-    "count": "len(…)",
-}
-
-
-def _attribute(case: Case) -> str | None:
-    error = case.error
-    if not isinstance(error, AttributeError) or not error.name:
-        return None
-    thing, name = error.obj, error.name
-    if thing is None:
-        return (
-            "The value before the dot is None: a function without a return gives None, and so do "
-            "append() and sort()."
-        )
-    if type(thing).__name__ in ("function", "builtin_function_or_method", "method"):
-        called = getattr(thing, "__name__", "it")
-        return f"{called} is a function: to use what it gives, call it with brackets: {called}()"
-    if isinstance(thing, tuple) and name in ("x", "y", "heading"):
-        return "This is a plain tuple: take it apart with x, y = position()"
-    if isinstance(thing, list) and name in _METHODS:
-        return f"For a list this is {_METHODS[name]}."
-    near = nearest(name, [each for each in dir(thing) if not each.startswith("_")])
-    if near and type(thing).__module__ == "__main__":
-        return _two_spellings(case, near, name)
-    return _meant(near, name) if near else None
-
-
-def _key(case: Case) -> str | None:
-    error = case.error
-    if not isinstance(error, KeyError) or len(error.args) != 1:
-        return None
-    key = error.args[0]
-    tables = [
-        value
-        for name in re.findall(r"\b([A-Za-z_]\w*)\s*\[", case.code)
-        if isinstance(value := case.scope.get(name), dict)
-    ]
-    keys = [each for table in tables for each in table if isinstance(each, str)]
-    near = nearest(key, keys) if isinstance(key, str) else None
-    if near is not None:
-        return _two_spellings(case, near, key, quoted=True)
-    return "Ask first with: if key in table: … or take a default: table.get(key, 0)"
-
-
 SLIPS: tuple[Slip, ...] = (
     _other_language,
     _self,
@@ -217,6 +161,4 @@ SLIPS: tuple[Slip, ...] = (
     _misspelt,
     _unknown,
     _unbound,
-    _attribute,
-    _key,
 )

@@ -24,6 +24,14 @@ _FOREIGN: tuple[tuple[str, str], ...] = (
     (r"^\s*function\b", "Python defines a function with def: def name():"),
     (r"^\s*(var|let|const|int|float)\s+\w+\s*=", "Python needs no word before a new name: x = 3"),
     (r"^\s*for\s*\(|^\s*for\s+\w+\s*=", "Python counts like this: for i in range(10):"),
+    (
+        r"^\s*for\s+\w+\s+\w+\s+in\b",
+        "Between the names there must be a comma: for angle, distance_cm in scan():",
+    ),
+    (
+        r"\b(?:and|or)\s*(?:[<>]=?|[!=]=)",
+        "Each side of and and or needs both its values: d > 20 and d < 200",
+    ),
     (r"\bthen\s*:?\s*$", "Python has no then: the line ends with a colon."),
     (r"\bdo\s*:?\s*$", "Python has no do: the line ends with a colon."),
     (rf"{_BLOCK_WITH_BRACE}|^\s*\}}", _NO_BRACES),

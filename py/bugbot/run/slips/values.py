@@ -64,7 +64,8 @@ def _float_index(case: Case) -> str | None:
     if re.search(r"indices must be integers.* not '?float|slice indices must be", case.message):
         return "An index is a whole number: use // to divide, or int(…) round it."
     if re.search(
-        r"'float' object cannot be interpreted as an integer|sequence of integers or a single int",
+        r"'float' object cannot be interpreted as an integer|sequence of integers or a single int"
+        r"|multiply sequence by non-int of type 'float'|^non-integer (arg|stop|start)",
         case.message,
     ):
         return "A whole number is wanted here: use // to divide, or int(…) round it."
@@ -74,6 +75,8 @@ def _float_index(case: Case) -> str | None:
 def _pair_index(case: Case) -> str | None:
     if re.search(r"indices must be integers.* not '?tuple", case.message):
         return "A list of lists wants grid[row][column]; grid[row, column] is for NumPy's arrays."
+    if "Cannot interpret" in case.message and re.search(r"\b(zeros|ones|empty)\s*\(", case.code):
+        return "The size of an array stands in brackets of its own: np.zeros((rows, columns))"
     if re.search(r"indices must be integers.* not '?str", case.message):
         return "A list is asked by number, a dictionary by name."
     return None
@@ -91,6 +94,10 @@ def _text_and_number(case: Case) -> str | None:
         return (
             "One side is a text, the other a number: int(…) or float(…) makes a number of a text."
         )
+    if "can only concatenate tuple" in case.message:
+        return "One side is a tuple, several values at once. With a comma, 3,5 is one as well: 3.5"
+    if "multiply sequence by non-int" in case.message:
+        return "A text or a list can only be repeated: take its numbers one by one, or use NumPy."
     if joined:
         return "A text and a number can't be added: print(a, b) takes both, or use f'{a} {b}'."
     return None
@@ -109,6 +116,10 @@ def _not_a_list(case: Case) -> str | None:
 
 def _single_point(case: Case) -> str | None:
     """`draw("goal", (100, 150))`: a point where a list of points is wanted."""
+    if isinstance(case.error, BugbotError) and re.search(
+        r"points for points; it got -?[\d.]+$", case.message
+    ):
+        return 'A point is a pair, and draw() wants a list of them: draw("goal", [(100, 150)])'
     if isinstance(case.error, BugbotError) and "in each point; point number 0 is" in case.message:
         if re.search(r"number 0 is -?[\d.]+$", case.message):
             return "A single point needs square brackets round it as well: [(x, y)]"
@@ -117,8 +128,44 @@ def _single_point(case: Case) -> str | None:
 
 
 def _conversion(case: Case) -> str | None:
-    if re.match(r"invalid literal for int|could not convert string to float", case.message):
-        return "The text holds something else than a number."
+    found = re.match(
+        r"(?:invalid literal for int.*|could not convert string to float): (['\"])(.*)\1",
+        case.message,
+        re.DOTALL,
+    )
+    if not found:
+        return None
+    if not found[2].strip():
+        return "The text is empty."
+    if re.fullmatch(r"\s*[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?\s*", found[2]):
+        return "int() reads whole numbers only: float(…) reads this one, and int(float(…)) cuts it."
+    return "The text holds something else than a number."
+
+
+def _not_hashable(case: Case) -> str | None:
+    found = re.match(r"(?:.*)unhashable type: '(list|set|dict)'", case.message)
+    if not found:
+        return None
+    instead = {"list": "a tuple, (1, 2)", "set": "frozenset(…)", "dict": "a tuple of its values"}
+    return f"A {found[1]} can't be in a set or be a key: use {instead[found[1]]}."
+
+
+def _several_compared(case: Case) -> str | None:
+    """`scan()[0] < 20`: a pair is compared with a number."""
+    kinds = re.search(r"between instances of '(\w+)' and '(\w+)'", case.message)
+    if not kinds or not {"int", "float"} & set(kinds.groups()):
+        return None
+    for kind in kinds.groups():
+        if kind in ("tuple", "list"):
+            return f"One side is a {kind}, several values at once: take one of them, like pair[1]."
+    return None
+
+
+def _shapes(case: Case) -> str | None:
+    if "could not be broadcast together" in case.message:
+        return "The two arrays differ in size: print the shape of each, like a.shape."
+    if re.search(r"Field elements must be|data type .* not understood", case.message):
+        return "The rows of an array are a list of lists: np.array([[1, 2], [3, 4]])"
     return None
 
 
@@ -144,5 +191,8 @@ SLIPS: tuple[Slip, ...] = (
     _not_a_list,
     _single_point,
     _conversion,
+    _not_hashable,
+    _several_compared,
+    _shapes,
     _changed_while_looping,
 )
