@@ -156,24 +156,29 @@ index_of = function(
     ],
 )
 
+TYPED_IN = "20 is typed in as the number of cells across: use ACROSS, so that it can change"
+
+
+def with_20_for(columns, rows, across):
+    """What a mistake answers that has these numbers of cells, with 25 cm each."""
+    return lambda x, y: index_on_mat(
+        x,
+        y,
+        lambda column, row: 0 <= column < columns and 0 <= row < rows,
+        side=25,
+        across=across,
+    )
+
+
 CELLS_OF_25 = function(
     "index_of(x, y)",
     lambda x, y: index_on_mat(x, y, side=25, across=8),
     mistakes=[
-        (
-            "20 is typed in as the number of cells across: use ACROSS, so that it can change",
-            lambda x, y: index_on_mat(
-                x, y, lambda column, row: 0 <= column < 20 and 0 <= row < 20, side=25
-            ),
-            1,
-        ),
-        (
-            "20 is typed in as the number of cells across: use ACROSS, so that it can change",
-            lambda x, y: index_on_mat(
-                x, y, lambda column, row: 0 <= column < 8 and 0 <= row < 8, side=25
-            ),
-            1,
-        ),
+        (TYPED_IN, with_20_for(20, 20, 20), 1),
+        (TYPED_IN, with_20_for(8, 8, 20), 1),
+        (TYPED_IN, with_20_for(20, 20, 8), 1),
+        (TYPED_IN, with_20_for(20, 8, 8), 1),
+        (TYPED_IN, with_20_for(8, 20, 8), 1),
     ],
 )
 
@@ -225,4 +230,5 @@ def another_size(task):
     task.call(CELLS_OF_25, 110, 60, gives=20)
     task.call(CELLS_OF_25, 199.9, 199.9, gives=63)
     task.call(CELLS_OF_25, 201, 10, gives=None)
+    task.call(CELLS_OF_25, 10, 201, gives=None)
     task.call(CELLS_OF_25, 10, -1, gives=None)

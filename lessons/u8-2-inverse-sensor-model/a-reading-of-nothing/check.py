@@ -12,18 +12,20 @@ from mapping.beam import end_of_beam
 CELL, FAR = 5, 170
 
 
-def walked(x, y, angle, length):
-    steps = range(max(0, ceil(length / (CELL / 2))))
-    cells = [cell_of(*end_of_beam(x, y, angle, i * CELL / 2), CELL) for i in steps]
+def walked(x, y, angle, length, cell=CELL):
+    steps = range(max(0, ceil(length / (cell / 2))))
+    cells = [cell_of(*end_of_beam(x, y, angle, i * cell / 2), cell) for i in steps]
     return [cell for cell in cells if cell is not None]
 
 
-def says(x, y, angle, reading, wall=None, free=FAR, hit=None, far=FAR, short=CELL, back=0):
+def says(
+    x, y, angle, reading, wall=None, free=FAR, hit=None, far=FAR, short=CELL, back=0, cell=CELL
+):
     """(free cells, hit): `free` cm and a hit at `hit` cm for a reading that is no wall."""
     is_wall = reading < far if wall is None else wall(reading)
     length, end = (reading - short, reading - back) if is_wall else (free, hit)
-    there = None if end is None else cell_of(*end_of_beam(x, y, angle, end), CELL)
-    return walked(x, y, angle, length), there
+    there = None if end is None else cell_of(*end_of_beam(x, y, angle, end), cell)
+    return walked(x, y, angle, length, cell), there
 
 
 def key(cell):
@@ -144,14 +146,18 @@ beam_says = function(
     ],
 )
 
-FAR_120 = function(
+FAR_TYPED_IN = "170 is typed in: use FAR, so that it can change"
+CELL_TYPED_IN = "5 is typed in as the side of a cell: use CELL, so that it can change"
+
+OF_OTHER_SIZE = function(
     "beam_says(x, y, angle, reading)",
-    otherwise(far=120, free=120),
+    otherwise(cell=10, short=10, far=120, free=120),
     compare=same,
     mistakes=[
-        ("170 is typed in: use FAR, so that it can change", says, 2),
-        ("170 is typed in: use FAR, so that it can change", otherwise(far=120), 2),
-        ("170 is typed in: use FAR, so that it can change", otherwise(free=120), 2),
+        (FAR_TYPED_IN, otherwise(cell=10, short=10), 2),
+        (FAR_TYPED_IN, otherwise(cell=10, short=10, far=120), 2),
+        (FAR_TYPED_IN, otherwise(cell=10, short=10, free=120), 2),
+        (CELL_TYPED_IN, otherwise(cell=10, short=5, far=120, free=120), 2),
     ],
 )
 
@@ -188,8 +194,9 @@ def corner(task):
     task.call(beam_says, 2.5, 52.5, 180, 50)
 
 
-@check("With FAR at 120 cm", hint=2)
+@check("With FAR at 120 cm, and cells of 10 cm", hint=2)
 def another_far(task):
-    task.set("FAR", 120)
-    task.call(FAR_120, 22.5, 12.5, 30, 119.5)
-    task.call(FAR_120, 22.5, 12.5, 30, 140)
+    for name, value in {"FAR": 120, "CELL": 10, "ACROSS": 20}.items():
+        task.set(name, value)
+    task.call(OF_OTHER_SIZE, 25, 15, 30, 110)
+    task.call(OF_OTHER_SIZE, 25, 15, 30, 140)

@@ -222,12 +222,12 @@ def diagonal(task):
 
 @check("Lines to the left and downwards", hint=0)
 def left_and_down(task):
-    task.call(line_of_cells, (10, 10), (3, 13))
-    task.call(line_of_cells, (10, 10), (7, 3))
-    task.call(line_of_cells, (10, 10), (15, 7))
-    task.call(line_of_cells, (10, 10), (6, 10))
-    task.call(line_of_cells, (10, 10), (10, 7))
-    task.call(line_of_cells, (10, 10), (7, 7))
+    task.call(line_of_cells, (10, 2), (3, 5))
+    task.call(line_of_cells, (4, 10), (1, 3))
+    task.call(line_of_cells, (10, 14), (15, 11))
+    task.call(line_of_cells, (10, 3), (6, 3))
+    task.call(line_of_cells, (2, 10), (2, 7))
+    task.call(line_of_cells, (10, 5), (7, 2))
 
 
 @check("One cell", hint=0)
@@ -242,4 +242,5 @@ def many(task):
         shorter = task.random.randint(0, longer)
         wide, high = (longer, shorter) if task.random.random() < 0.5 else (shorter, longer)
         wide, high = wide * task.random.choice((-1, 1)), high * task.random.choice((-1, 1))
-        task.call(line_of_cells, (20, 20), (20 + wide, 20 + high))
+        column, row = task.random.randrange(24, 30), task.random.randrange(24, 30)
+        task.call(line_of_cells, (column, row), (column + wide, row + high))

@@ -1,0 +1,3 @@
+# style: a list
+
+return [math.floor(value / CELL) for value in (x, y)]

@@ -1,0 +1,5 @@
+# style: fractions
+
+from fractions import Fraction
+
+count = math.ceil(Fraction(MAT, side)) ** 2
