@@ -3,8 +3,6 @@
 Every reading is such that it makes no difference whether a last, shorter step is taken.
 """
 
-from math import ceil
-
 from bugbot.frames import cell_of
 from grader import check, function
 from mapping.beam import end_of_beam
@@ -13,7 +11,7 @@ CELL, FAR = 5, 170
 
 
 def walked(x, y, angle, length, cell=CELL):
-    steps = range(max(0, ceil(length / (cell / 2))))
+    steps = range(max(0, int(length / (cell / 2))))
     cells = [cell_of(*end_of_beam(x, y, angle, i * cell / 2), cell) for i in steps]
     return [cell for cell in cells if cell is not None]
 
@@ -52,7 +50,7 @@ def hit_instead(nothing):
 
     def answer(*asked):
         free, hit = says(*asked)
-        return free, nothing if hit is None else hit
+        return free, nothing if asked[-1] >= FAR else hit
 
     return answer
 

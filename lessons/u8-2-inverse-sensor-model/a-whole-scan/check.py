@@ -114,8 +114,9 @@ MISTAKES = [
         2,
     ),
     (
-        "heading() was left out: the angles of scan() are from straight ahead, so add it",
-        seen(direction=lambda run, scan, angle, reading: angle),
+        "the robot's heading was left out: the angles of scan() are from straight ahead, so add "
+        "heading()",
+        seen(direction=lambda run, scan, angle, reading: angle, most=0.15),
         1,
     ),
     (

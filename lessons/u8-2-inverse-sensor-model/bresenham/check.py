@@ -65,16 +65,20 @@ def diagonal_first(first, last):
     return cells
 
 
-def no_diagonals(first, last):
-    """With a cell put in at each corner, along the longer side."""
-    cells = [tuple(first)]
-    wide = abs(last[0] - first[0]) >= abs(last[1] - first[1])
-    for column, row in bresenham(first, last)[1:]:
-        before = cells[-1]
-        if before[0] != column and before[1] != row:
-            cells.append((column, before[1]) if wide else (before[0], row))
-        cells.append((column, row))
-    return cells
+def no_diagonals(columns_first):
+    """What a mistake answers that puts a cell in at each corner; columns_first(wide, high)."""
+
+    def answer(first, last):
+        cells = [tuple(first)]
+        sideways_first = columns_first(abs(last[0] - first[0]), abs(last[1] - first[1]))
+        for column, row in bresenham(first, last)[1:]:
+            before = cells[-1]
+            if before[0] != column and before[1] != row:
+                cells.append((column, before[1]) if sideways_first else (before[0], row))
+            cells.append((column, row))
+        return cells
+
+    return answer
 
 
 def mirrored(right, up):
@@ -97,6 +101,9 @@ def turned(first, last):
     return [(c0 + right * column, r0 + up * row) for column, row in along]
 
 
+NEVER_DIAGONALLY = (
+    "never diagonally: going sideways belongs to the same step, so append one cell a step"
+)
 BACKWARDS = "the cells come in the wrong order: first comes first, last comes last"
 
 line_of_cells = function(
@@ -106,7 +113,7 @@ line_of_cells = function(
     mistakes=[
         (
             "the last cell is missing: a line of 4 steps has 5 cells",
-            lambda first, last: bresenham(first, last)[:-1],
+            lambda first, last: bresenham(first, last)[:-1] or [first],
             0,
         ),
         (
@@ -180,11 +187,9 @@ line_of_cells = function(
             diagonal_first,
             1,
         ),
-        (
-            "never diagonally: going sideways belongs to the same step, so append one cell a step",
-            no_diagonals,
-            2,
-        ),
+        (NEVER_DIAGONALLY, no_diagonals(lambda wide, high: wide >= high), 2),
+        (NEVER_DIAGONALLY, no_diagonals(lambda wide, high: True), 2),
+        (NEVER_DIAGONALLY, no_diagonals(lambda wide, high: False), 2),
         (
             "wide and high are the wrong way round: a line that is wider than high goes one "
             "column further at each step",

@@ -1,3 +1,4 @@
 # style: cells that a clip leaves as they are
 
-cells = np.clip(np.floor(points / CELL).astype(int), 0, ACROSS - 1)
+cells = np.floor(points / CELL).astype(int)
+cells = cells[(cells == np.clip(cells, 0, ACROSS - 1)).all(axis=1)]

@@ -1,4 +1,4 @@
-# earns: heading() was left out
+# earns: robot's heading was left out
 # A whole scan
 #
 # Let look use the whole scan, then press Run.

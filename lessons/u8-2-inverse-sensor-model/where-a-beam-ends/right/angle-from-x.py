@@ -1,5 +1,6 @@
 # style: an angle from the x axis, and a list
 
-a = math.radians(angle)
-end_x = x + reading * math.cos(a)
-end_y = y + reading * math.sin(a)
+from math import radians, sin, cos
+
+theta = radians(90 - angle)
+return [x + reading * cos(theta), y + reading * sin(theta)]

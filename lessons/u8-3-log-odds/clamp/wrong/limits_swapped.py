@@ -31,4 +31,4 @@ for n in range(90):
     colour = "black" if l > 1 else "#9ecae1"
     draw("the cell", [(100, 100)] if abs(l) > 1 else [], colour, "squares", 80)
     wait(0.1)
-print(f"at the end: {l:.2f}")
+print(f"at the end: {float(l):.2f}")
