@@ -55,14 +55,14 @@ def run(
     send: Callable[[str, Any], None],
     begin: Callable[[float, str], None],
     keep: Callable[[str], None],
-    still: Callable[[int | None], None],
+    still: Callable[[int], None],
 ) -> None:
     """Run a program and send its trace; the last chunk holds the end event.
 
     `send(events, points)` takes the rows as JSON text and the new points as a Uint8Array.
     `begin(t, stream)` and `keep(text)` hear of what is printed at once, in case the interpreter
-    breaks before it is sent. `still(line)` hears that the program computes and no simulated time
-    passes.
+    breaks before it is sent. `still(line)` hears on which line the program computes while no
+    simulated time passes.
     """
     kept = Kept(begin, keep)
     sender = _Sender(send, kept)

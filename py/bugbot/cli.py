@@ -91,11 +91,10 @@ def _run(options: argparse.Namespace, limits: Limits, in_child: bool) -> int:
         )
         return report(trace)
 
-    def tell_of_standstill(line: int | None) -> None:
-        where = "" if line is None else f" on line {line}"
+    def tell_of_standstill(line: int) -> None:
         print(
-            f"Still computing{where}: no simulated time has passed for {STILL_S:g} s. If a loop "
-            "waits for the robot there, put wait(0.1) into it.",
+            f"Still computing on line {line}: no simulated time has passed for {STILL_S:g} s. If "
+            "a loop waits for the robot there, put wait(0.1) into it.",
             file=err,
             flush=True,
         )

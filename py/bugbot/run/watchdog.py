@@ -23,8 +23,8 @@ from bugbot.run.limits import Meter
 
 __all__ = ["STILL_S", "Still", "watched"]
 
-Still = Callable[[int | None], None]
-"""Is told, once a standstill, that no simulated time passes, and on which line of the program."""
+Still = Callable[[int], None]
+"""Is told, once a standstill, on which line of the program no simulated time passes."""
 
 STILL_S = 1.5
 """So long may a program compute before it is told that no simulated time passes [s]."""
@@ -95,9 +95,10 @@ class _Clock:
         still = monotonic() - self._since
         if still >= STILL_S and not self._told and self._on_still is not None:
             frame = find()
-            if not _is_loading(frame):
+            line = None if _is_loading(frame) else self._meter.line_of(frame)
+            if line is not None:
                 self._told = True
-                self._on_still(self._meter.line_of(frame))
+                self._on_still(line)
         return still
 
 

@@ -30,7 +30,7 @@ interface Session {
     send: (events: string, points: Uint8Array) => void,
     begin: (t: number, stream: string) => void,
     keep: (text: string) => void,
-    still: (line: number | undefined) => void,
+    still: (line: number) => void,
   ): void;
 }
 
@@ -150,7 +150,7 @@ class Interpreter {
       },
       (t, stream) => this.#unsent.begin(t, stream),
       (text) => this.#unsent.keep(text),
-      (line) => this.#send({ kind: "still", id, line: line ?? null }),
+      (line) => this.#send({ kind: "still", id, line }),
     );
     this.#send({ kind: "finished", id });
     this.#runId = null;
