@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from bugbot.run.chance import SeededChance
+
 Run = Callable[..., Any]
 
 SOURCES = [
@@ -68,6 +70,14 @@ def test_whether_a_module_was_loaded_before_makes_no_difference(
     loaded = run(program).console
     monkeypatch.delitem(sys.modules, "uuid")
     assert run(program).console == loaded
+
+
+def test_what_loading_a_module_takes_is_given_back() -> None:
+    chance, untouched = SeededChance(1), SeededChance(1)
+    loaded = chance.while_loading()
+    chance.bytes(40)
+    loaded()
+    assert chance.bytes(8) == untouched.bytes(8)
 
 
 def test_the_hosts_chance_is_put_back(run: Run) -> None:

@@ -92,6 +92,8 @@ ENDS_BY_ITSELF = [
     "        return n < 900\n    return on\non = counter()\nwhile on():\n    heading()\n",
     "def walk():\n    while True:\n        yield position()\n"
     "for place, _ in zip(walk(), range(900)):\n    pass\n",
+    "def walk():\n    while True:\n        yield position()\n"
+    "def main():\n    for place, _ in zip(walk(), range(900)):\n        pass\nmain()\n",
     "while distance() > 96:\n    pass\n",  # noise gets there, once in a while
     "queue = list(range(900))\nwhile queue:\n    queue.pop()\n    print('x', end='')\n",
     "import collections\nq = collections.deque([1] * 900)\nwhile q:\n    q.pop()\n    clock()\n",
