@@ -57,6 +57,9 @@ class SimulatedLoop(asyncio.BaseEventLoop):
         self._tasks_made = 0
         self.set_task_factory(_named_task)
 
+    def __del__(self) -> None:
+        """Says nothing of a loop left open: when it would be said depends on the machine."""
+
     def time(self) -> float:
         """Simulated seconds since the program started."""
         return self._link.now()

@@ -1,5 +1,6 @@
 """asyncio on simulated time: sleeping lets it pass, and what has no place here says so."""
 
+import gc
 from collections.abc import Callable
 from typing import Any
 
@@ -165,3 +166,9 @@ def test_an_error_that_nobody_asks_for_is_written(run: Run) -> None:
         asyncio.run(main())
     """)
     assert ran.console == "Task exception was never retrieved: KeyError: 'lost'\n"
+
+
+def test_a_loop_left_open_is_no_warning_of_the_hosts(run: Run) -> None:
+    ran = run("import asyncio\nasyncio.new_event_loop()\nprint('done')")
+    gc.collect()
+    assert (ran.status, ran.console) == ("finished", "done\n")
