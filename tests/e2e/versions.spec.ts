@@ -47,10 +47,20 @@ test("without versions the panel says when there will be some", { tag: "@once" }
 }) => {
   await app.openLab("world=empty");
   await app.more("Earlier versions…");
-  await expect(page.getByRole("dialog")).toContainText("There are none yet.");
+  await expect(page.getByRole("dialog")).toContainText("this is still the page's own program");
   await page.keyboard.press("Escape");
   await expect(page.getByRole("dialog")).toBeHidden();
   await expect(page.getByRole("button", { name: "More", exact: true })).toBeFocused();
+
+  await app.write("stop()\n");
+  await app.more("Earlier versions…");
+  await expect(page.getByRole("dialog")).toContainText("There are none yet. A version is kept");
+  await page.keyboard.press("Escape");
+
+  // A run has kept this one, and it is no other than what is there.
+  await app.runToEnd("stop()\n");
+  await app.more("Earlier versions…");
+  await expect(page.getByRole("dialog")).toContainText("the program as it is now has been kept");
 });
 
 test("where storage is refused versions last as long as the page", { tag: "@once" }, async ({

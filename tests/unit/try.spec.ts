@@ -2,9 +2,11 @@
 import { expect, test } from "@playwright/test";
 import { Experiment } from "../../site/src/page/lab-try.ts";
 import type { Note } from "../../site/src/page/status.ts";
+import { triedFigures } from "../../site/src/page/try-figures.ts";
 import type { RunRequest } from "../../site/src/runtime/messages.ts";
 import { Trace } from "../../site/src/trace/trace.ts";
-import { grow, header, WORLD } from "./traces.ts";
+import { tryWords } from "../../site/src/ui/try-words.ts";
+import { grow, header, traceOf, twoSeconds, WORLD } from "./traces.ts";
 
 const PROGRAM = "CELL = 5  # cm (5 to 20)\nL_FREE = -0.4\nstop()\n";
 const WITHOUT_FREE = PROGRAM.replace("-0.4", "0.0");
@@ -142,4 +144,51 @@ test("a value that is there already is run, and there is nothing to undo", async
   await experiment.begin({ CELL: 5 });
   expect(state.note).toEqual({ text: "CELL is 5 in this program already." });
   expect(state.trace?.header.program).toBe(PROGRAM);
+});
+
+test("what was changed is told, and taken back only as long as the program is as it was left", async () => {
+  const { experiment, state } = lab();
+  await experiment.begin({ L_FREE: 0 });
+  expect(experiment.words).toBe("L_FREE = 0.0 in place of −0.4.");
+  expect(experiment.inForce).toBe(true);
+  state.program = `${state.program}wait(1)\n`;
+  expect(experiment.undo()).toBeNull();
+  state.program = WITHOUT_FREE;
+  expect(experiment.undo()).toBe("L_FREE is −0.4 again.");
+  expect(state.program).toBe(PROGRAM);
+  expect(experiment.undo()).toBeNull();
+});
+
+test("its figures: the end of each line, the cells of each layer, the last line printed", () => {
+  const before = twoSeconds();
+  const now = traceOf(
+    [
+      ["layer", 0, "free", "#9ecae1", "squares", 5, 0, 1, null],
+      ["layer", 0, "path", "red", "dots", 5, 0, 1, null],
+      ["plot", 0.5, "known %", 12.345],
+      ["plot", 0.5, "new", -1],
+      ["print", 1, "stdout", "go\nfound 3\n"],
+      ["end", 2, "finished", ""],
+    ],
+    [102.5, 102.5],
+  );
+  const figures = triedFigures(now, before);
+  expect(figures).toEqual([
+    { name: "known %", kind: "value", now: 12.345, before: 30 },
+    { name: "new", kind: "value", now: -1, before: null },
+    { name: "free", kind: "cells", now: 1, before: 3 },
+    { name: "", kind: "printed", now: "found 3", before: "done" },
+  ]);
+  expect(figures.map(tryWords.figure)).toEqual([
+    "known %: 12.3, before 30.",
+    "new: −1.",
+    "free: 1 cell, before 3.",
+    "Printed: “found 3”, before “done”.",
+  ]);
+  expect(triedFigures(before, before).map(tryWords.figure)).toEqual([
+    "known %: 30, as before.",
+    "walls: 1, as before.",
+    "free: 3 cells, as before.",
+    "walls: 1 cell, as before.",
+  ]);
 });

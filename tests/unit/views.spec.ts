@@ -182,7 +182,7 @@ test.describe("in words", () => {
 
   test("a cell: as drawn, as it is, and what the beams say", () => {
     const trace = twoSeconds();
-    const none = { passed: 0, ended: 0, last: null };
+    const none = { passed: 0, ended: 0, close: 0, last: null };
     expect(explainCell(trace, { x: 125, y: 100, size: 5 }, "walls", none)).toEqual({
       title: "Cell (127.5, 102.5) cm",
       text: "is drawn as walls; really floor, 2.5 cm from the post. No beam of this run has touched it so far.",
@@ -193,11 +193,16 @@ test.describe("in words", () => {
     expect(explainCell(trace, { x: 110, y: 60, size: 22 }, null, none).text).toMatch(
       /^is bare mat; really floor, with some of the post in it\. /,
     );
-    const last = { t: 1.23, x: 0, y: 0, endX: 0, endY: 0, reading: 27.41, ended: true };
+    const last = { t: 1.23, x: 0, y: 0, endX: 0, endY: 0, reading: 27.41, did: "ended" as const };
     expect(
-      explainCell(trace, { x: 125, y: 100, size: 5 }, null, { passed: 1, ended: 9, last }).text,
+      explainCell(trace, { x: 125, y: 100, size: 5 }, null, { passed: 1, ended: 9, close: 0, last })
+        .text,
     ).toMatch(
       /\. So far 1 beam passed through it and 9 ended in it; the last, at 1\.2 s, read 27\.4 cm and ended here\.$/,
+    );
+    const close = { passed: 0, ended: 2, close: 3, last: { ...last, did: "close" as const } };
+    expect(explainCell(trace, { x: 125, y: 100, size: 5 }, null, close).text).toMatch(
+      /So far 0 beams passed through it and 2 ended in it; 3 more ended just behind it, and by the lessons' rule say nothing about it; the last, at 1\.2 s, read 27\.4 cm and ended just behind it\.$/,
     );
   });
 });

@@ -150,7 +150,7 @@ export class LabFiles {
 
   async #versions(): Promise<void> {
     const { program } = this.#desk;
-    const text = await chooseVersion(program.versions(), program.text);
+    const text = await chooseVersion(program.versions(), program.text, program.starter);
     if (text !== null) this.#replace(text, versionWords.restored);
   }
 

@@ -51,9 +51,17 @@ export class Experiment {
   /** The program as the experiment has left it. */
   #changed: string | null = null;
   #aside: Running | null = null;
+  /** What was changed by the one in force; null if there is nothing to undo. */
+  #changes: readonly Change[] | null = null;
+  #words = "";
 
   constructor(desk: TryDesk) {
     this.#desk = desk;
+  }
+
+  /** What the last one has changed, or why it could not be begun. */
+  get words(): string {
+    return this.#words;
   }
 
   /** Sets the constants, runs, and offers to undo it; null if the program lacks one of them. */
@@ -63,7 +71,9 @@ export class Experiment {
     const missing = Object.keys(values).filter((name) => !constants.some((c) => c.name === name));
     if (missing.length > 0) {
       const reset = { label: labWords.reset, act: () => this.#desk.reset() };
-      this.#desk.say({ text: tryWords.missing(missing), action: reset });
+      this.#changes = null;
+      this.#words = tryWords.missing(missing);
+      this.#desk.say({ text: this.#words, action: reset });
       return null;
     }
     const changed = withValues(base.program, constants, values);
@@ -73,10 +83,20 @@ export class Experiment {
     this.#desk.replace(changed);
     const running = this.#desk.run();
     if (changed === base.program) {
-      this.#desk.say({ text: tryWords.same(changes) });
+      this.#changes = null;
+      this.#words = tryWords.same(changes);
+      this.#desk.say({ text: this.#words });
       return running;
     }
-    const action = { label: labWords.undo, act: () => this.#undo(base, changes) };
+    this.#changes = changes;
+    this.#words = tryWords.changed(changes);
+    const action = {
+      label: labWords.undo,
+      act: () => {
+        this.undo();
+        this.#desk.focusStatus();
+      },
+    };
     this.#desk.say({ text: tryWords.tried(changes), action });
     const before = this.#runOf(base);
     this.#desk.compareWith(before);
@@ -117,15 +137,25 @@ export class Experiment {
     this.#desk.compareWith(trace);
   }
 
-  #undo(base: Base, changes: readonly Change[]): void {
+  /** Whether the program is as the last one has left it. */
+  get inForce(): boolean {
+    return this.#changes !== null && this.#desk.request().program === this.#changed;
+  }
+
+  /** Takes back the one in force; in words, null if there is none. */
+  undo(): string | null {
+    if (!this.#base || !this.#changes || !this.inForce) return null;
+    const words = tryWords.undone(this.#changes);
+    const { program, trace, earlier } = this.#base;
     this.#aside?.stop();
     this.#aside = null;
     this.#base = null;
     this.#changed = null;
-    this.#desk.replace(base.program);
-    this.#desk.restore(base.trace, base.earlier);
-    this.#desk.say({ text: tryWords.undone(changes) });
-    this.#desk.focusStatus();
+    this.#changes = null;
+    this.#desk.replace(program);
+    this.#desk.restore(trace, earlier);
+    this.#desk.say({ text: words });
+    return words;
   }
 }
 

@@ -36,6 +36,7 @@ import { fitForPaper } from "./print.ts";
 import type { Services } from "./services.ts";
 import type { Note, StatusInput } from "./status.ts";
 import type { LabTransport } from "./transport.ts";
+import type { Tried } from "./try-result.ts";
 
 export class BugbotLab extends LitElement {
   static override properties = {
@@ -168,6 +169,24 @@ export class BugbotLab extends LitElement {
     await this.updateComplete;
     const trace = await this.#experiment.begin(values);
     return trace && outcomeOf(trace);
+  }
+
+  /** The same for a page that tells of it beside its own words: with the run it is compared with. */
+  async experiment(values: Values): Promise<Tried> {
+    await this.updateComplete;
+    const trace = await this.#experiment.begin(values);
+    const onShow = trace !== null && trace === this.#runs.trace;
+    return {
+      words: this.#experiment.words,
+      trace,
+      before: onShow ? this.#runs.earlier : null,
+      changed: onShow && this.#experiment.inForce,
+    };
+  }
+
+  /** Takes the experiment back that is in force; in words, null if the program is another by now. */
+  undoExperiment(): string | null {
+    return this.#experiment.undo();
   }
 
   /** Another value for `NAME = number` in the program, one step for undo; a RangeError if none. */

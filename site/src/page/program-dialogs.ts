@@ -37,14 +37,18 @@ export async function offerProgram(offer: Offer): Promise<boolean | null> {
   return dialog.answered;
 }
 
-/** The text of the version to bring back, or null. */
-export async function chooseVersion(all: readonly Version[], mine: string): Promise<string | null> {
+/** The text of the version to bring back, or null. `starter` is the page's own program. */
+export async function chooseVersion(
+  all: readonly Version[],
+  mine: string,
+  starter: string,
+): Promise<string | null> {
   const versions = all.filter(({ text }) => text !== mine);
   const dialog = new Dialog<string>(versionWords.title);
   let chosen = versions[0];
   if (!chosen) {
     dialog.element.classList.add("narrow");
-    dialog.show(html`<p>${versionWords.none}</p>`);
+    dialog.show(html`<p>${noneWords(all, mine, starter)}</p>`);
     return dialog.answered;
   }
   const draw = (): void => {
@@ -83,6 +87,12 @@ export async function chooseVersion(all: readonly Version[], mine: string): Prom
   };
   choose(chosen);
   return dialog.answered;
+}
+
+/** Why there is no version to go back to. */
+function noneWords(all: readonly Version[], mine: string, starter: string): string {
+  if (all.length > 0) return versionWords.onlyThis;
+  return mine === starter ? versionWords.untouched : versionWords.none;
 }
 
 function entry({ at, text }: Version, mine: string) {

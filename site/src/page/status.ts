@@ -95,22 +95,30 @@ function say(input: StatusInput): { tone: Tone; text: string } {
   if (series) return { tone: "busy", text: repeatWords.goingOn };
   if (phase === "waiting") return { tone: "busy", text: statusWords.waiting };
   if (phase === "running") return { tone: "busy", text: runNote ?? statusWords.running };
-  if (end) return ended(end, fault);
+  if (end) return { tone: TONES[end.status], text: endWords(end, fault) };
   if (runtime.state === "loading") return { tone: "busy", text: statusWords.starting };
   const text = runtime.state === "ready" ? statusWords.ready : statusWords.cold;
   return { tone: "quiet", text };
 }
 
-function ended(end: End, fault: Fault | null): { tone: Tone; text: string } {
-  switch (end.status) {
+const TONES: Record<End["status"], Tone> = {
+  finished: "good",
+  fault: "bad",
+  stopped: "quiet",
+  limit: "bad",
+};
+
+/** How a run has ended. */
+export function endWords({ status, t, message }: End, fault: Fault | null): string {
+  switch (status) {
     case "finished":
-      return { tone: "good", text: statusWords.finished(end.t) };
+      return statusWords.finished(t);
     case "fault":
-      return { tone: "bad", text: statusWords.fault(fault?.line ?? null) };
+      return statusWords.fault(fault?.line ?? null);
     case "stopped":
-      return { tone: "quiet", text: statusWords.stopped(end.t) };
+      return statusWords.stopped(t);
     case "limit":
-      return { tone: "bad", text: end.message };
+      return message;
   }
 }
 

@@ -1,5 +1,6 @@
 /**
- * <task-where>: a small picture of the mat at the moment a check failed, its cells outlined.
+ * <task-where>: a small picture of the mat at a moment of a run, such as the one a check failed at,
+ * with cells outlined.
  *
  * Set `run`, the moment `time` [s] and `cells`. May import `trace`, `views` and `ui`.
  */

@@ -3,13 +3,16 @@
  * ended in it, whatever the program made of them. From the scans and the true poses they were
  * taken from. Imports the trace and `frames`.
  *
+ * What counts as passing is the lessons' rule: a beam goes in steps of half a cell up to one cell short
+ * of its end. One that crosses a cell only behind its last step is counted by itself.
+ *
  * The geometry is exact: a cell holds its lower and left edges and not its upper and right ones,
  * so a beam along an edge or through a corner belongs to one cell only.
  */
 import { type Cell, direction } from "./frames.ts";
 import type { Trace } from "./trace.ts";
 
-/** Readings this long or longer mark no wall, and a beam counts as free only so far [cm]. */
+/** Readings this long or longer mark no wall, and a beam goes on for its steps only so far [cm]. */
 export const HIT_LIMIT_CM = 170;
 
 /** One beam of one scan, from the robot to where it ended. */
@@ -23,13 +26,17 @@ export interface Beam {
   endY: number;
   /** What the sensor read [cm]. */
   reading: number;
-  /** True if it ended in the cell that was asked about, false if it passed through. */
-  ended: boolean;
+  /** What it did to the cell that was asked about. */
+  did: Touch;
 }
+
+/** Passed through it, ended in it, or ended so close behind it that it says nothing. */
+export type Touch = "passed" | "ended" | "close";
 
 export interface CellEvidence {
   passed: number;
   ended: number;
+  close: number;
   /** The last beam that touched the cell, or null if none has. */
   last: Beam | null;
 }
@@ -43,6 +50,9 @@ const END_Y = 4;
 const READING = 5;
 const STRIDE = 6;
 
+type Counts = Record<Touch, number>;
+const NONE: Counts = { passed: 0, ended: 0, close: 0 };
+
 export class Evidence {
   readonly #trace: Trace;
   /** t, x, y, endX, endY, reading of each beam, in order of time. */
@@ -51,7 +61,7 @@ export class Evidence {
   #scansRead = 0;
   /** The beams that touched the cell asked about last: it is asked again at every frame. */
   #cell: Cell = { x: 0, y: 0, size: 0 };
-  #touching: { beam: number; passed: number; ended: number }[] = [];
+  #touching: ({ beam: number; did: Touch } & Counts)[] = [];
   #beamsSearched = 0;
 
   constructor(trace: Trace) {
@@ -68,8 +78,9 @@ export class Evidence {
     }
     this.#search();
     const upTo = this.#touching[this.#lastTouchUpTo(t)];
-    if (!upTo) return { passed: 0, ended: 0, last: null };
-    return { passed: upTo.passed, ended: upTo.ended, last: this.#beam(upTo.beam) };
+    if (!upTo) return { ...NONE, last: null };
+    const { beam, did, passed, ended, close } = upTo;
+    return { passed, ended, close, last: this.#beam(beam, did) };
   }
 
   #readNewScans(): void {
@@ -97,9 +108,7 @@ export class Evidence {
     const cell = this.#cell;
     const right = cell.x + cell.size;
     const top = cell.y + cell.size;
-    const before = this.#touching.at(-1);
-    let passed = before?.passed ?? 0;
-    let ended = before?.ended ?? 0;
+    const counts = { ...(this.#touching.at(-1) ?? NONE) };
     for (let beam = this.#beamsSearched; beam < this.#count; beam++) {
       const i = STRIDE * beam;
       const x = numbers[i + X] as number;
@@ -109,15 +118,11 @@ export class Evidence {
       // Most beams lie wholly to one side of the cell; this is all the work they make.
       if ((x < cell.x && endX < cell.x) || (x >= right && endX >= right)) continue;
       if ((y < cell.y && endY < cell.y) || (y >= top && endY >= top)) continue;
-      const reading = numbers[i + READING] as number;
-      if (reading < HIT_LIMIT_CM && holds(cell, endX, endY)) {
-        ended += 1;
-      } else {
-        const share = reading > HIT_LIMIT_CM ? HIT_LIMIT_CM / reading : 1;
-        if (!crosses(cell, x, y, share * (endX - x), share * (endY - y))) continue;
-        passed += 1;
-      }
-      this.#touching.push({ beam, passed, ended });
+      const did = touchOf(cell, x, y, endX, endY, numbers[i + READING] as number);
+      if (!did) continue;
+      counts[did] += 1;
+      const { passed, ended, close } = counts;
+      this.#touching.push({ beam, did, passed, ended, close });
     }
     this.#beamsSearched = this.#count;
   }
@@ -134,14 +139,39 @@ export class Evidence {
     return low - 1;
   }
 
-  #beam(index: number): Beam {
+  #beam(index: number, did: Touch): Beam {
     const [t, x, y, endX, endY, reading] = this.#beams.subarray(
       STRIDE * index,
       STRIDE * (index + 1),
     ) as unknown as [number, number, number, number, number, number];
-    const ended = reading < HIT_LIMIT_CM && holds(this.#cell, endX, endY);
-    return { t, x, y, endX, endY, reading, ended };
+    return { t, x, y, endX, endY, reading, did };
   }
+}
+
+/** What a beam did to a cell, null if it did not touch it. */
+function touchOf(
+  cell: Cell,
+  x: number,
+  y: number,
+  endX: number,
+  endY: number,
+  reading: number,
+): Touch | null {
+  const reaches = (length: number): boolean => {
+    const share = length / reading;
+    return (
+      length >= 0 && reading > 0 && crosses(cell, x, y, share * (endX - x), share * (endY - y))
+    );
+  };
+  const isHit = reading < HIT_LIMIT_CM;
+  if (isHit && holds(cell, endX, endY)) return "ended";
+  if (reaches(lastStep(isHit ? reading - cell.size : HIT_LIMIT_CM, cell.size / 2))) return "passed";
+  return isHit && reaches(reading) ? "close" : null;
+}
+
+/** How far the last step of a beam is that goes in steps up to a length; negative if there is none. */
+function lastStep(length: number, step: number): number {
+  return (Math.floor(length / step) - 1) * step;
 }
 
 function sameCell(a: Cell, b: Cell): boolean {

@@ -54,6 +54,10 @@ export const versionWords = {
   title: "Earlier versions",
   lead: "Kept on this device at each run, and before the program was replaced.",
   none: "There are none yet. A version is kept each time you press Run, and before the program is replaced.",
+  untouched:
+    "There are none yet: this is still the page's own program. Once you have changed it, each Run keeps the version it ran.",
+  onlyThis:
+    "There is none but this one: the program as it is now has been kept. Once you change it, you can come back to it here.",
   list: "Versions, newest first",
   restore: "Bring this one back",
   restored: "The earlier version is back.",

@@ -10,6 +10,8 @@ const cm = (value: number): string => String(Math.round(value * 10) / 10);
 const point = (x: number, y: number): string => `(${cm(x)}, ${cm(y)}) cm`;
 const beams = (count: number): string => `${count} ${count === 1 ? "beam" : "beams"}`;
 
+const DID = { passed: "passed", ended: "ended here", close: "ended just behind it" };
+
 export const overheadWords = {
   name: "Overhead view",
   cursor: "Cell cursor",
@@ -43,10 +45,14 @@ export const overheadWords = {
   isPartly: (name: string) => `really floor, with some of the ${name} in it`,
   isThing: (name: string) => `really the ${name}`,
   untouched: "No beam of this run has touched it so far.",
-  evidence: (passed: number, ended: number) =>
-    `So far ${beams(passed)} passed through it and ${ended || "none"} ended in it`,
-  last: (t: number, reading: number, ended: boolean) =>
-    `the last, at ${seconds(t)}, read ${cm(reading)} cm and ${ended ? "ended here" : "passed"}`,
+  evidence: (passed: number, ended: number, close: number) =>
+    `So far ${beams(passed)} passed through it and ${ended || "none"} ended in it${
+      close > 0
+        ? `; ${close} more ended just behind it, and by the lessons' rule ${close === 1 ? "says" : "say"} nothing about it`
+        : ""
+    }`,
+  last: (t: number, reading: number, did: "passed" | "ended" | "close") =>
+    `the last, at ${seconds(t)}, read ${cm(reading)} cm and ${DID[did]}`,
 };
 
 export const chartWords = {

@@ -54,12 +54,12 @@ export function explainCell(
   trace: Trace,
   cell: Cell,
   drawnAs: string | null,
-  { passed, ended, last }: CellEvidence,
+  { passed, ended, close, last }: CellEvidence,
 ): CellStory {
   const x = cell.x + cell.size / 2;
   const y = cell.y + cell.size / 2;
   const evidence = last
-    ? `${words.evidence(passed, ended)}; ${words.last(last.t, last.reading, last.ended)}.`
+    ? `${words.evidence(passed, ended, close)}; ${words.last(last.t, last.reading, last.did)}.`
     : words.untouched;
   return {
     title: words.cell(x, y),

@@ -26,13 +26,13 @@ export function paintTouch(
   palette: Palette,
   beam: Beam,
 ) {
-  ctx.setLineDash(beam.ended ? [] : [camera.px(6), camera.px(4)]);
+  ctx.setLineDash(beam.did === "ended" ? [] : [camera.px(6), camera.px(4)]);
   ctx.beginPath();
   ctx.moveTo(camera.x(beam.x), camera.y(beam.y));
   ctx.lineTo(camera.x(beam.endX), camera.y(beam.endY));
   stroke(ctx, camera, palette, palette.cursor, 2);
   ctx.setLineDash([]);
-  if (!beam.ended) return;
+  if (beam.did !== "ended") return;
   ctx.beginPath();
   ctx.arc(camera.x(beam.endX), camera.y(beam.endY), camera.px(2), 0, 2 * Math.PI);
   stroke(ctx, camera, palette, palette.cursor, 2);
