@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 import time
 from collections.abc import Callable
 from typing import Any
@@ -15,6 +16,10 @@ from bugbot.run import Limits, run_program
 from bugbot.trace import Trace
 
 __all__ = ["missing_modules", "run"]
+
+signal.signal(signal.SIGINT, signal.SIG_IGN)
+# The worker presses Ctrl-C to have the watchdog look at the clock. Before and after the program
+# nobody listens, and Python's own answer would be a KeyboardInterrupt in the middle of our code.
 
 real_time = time.perf_counter
 """Kept before a run puts simulated time in its place."""
