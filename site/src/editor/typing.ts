@@ -32,7 +32,6 @@ const acceptWithEnter: Command = (view) =>
 const listKeys = keymap.of([
   { key: "Ctrl-Space", run: startCompletion },
   { mac: "Alt-`", run: startCompletion },
-  { mac: "Alt-i", run: startCompletion },
   { key: "Escape", run: closeCompletion },
   { key: "ArrowDown", run: moveCompletionSelection(true) },
   { key: "ArrowUp", run: moveCompletionSelection(false) },
@@ -73,9 +72,7 @@ const pairs = Prec.highest(
     {
       closeBrackets: {
         brackets: ["(", "[", "{", "'", '"'],
-        stringPrefixes: "f fr rf r u b br rb F FR RF R U B BR RB Fr fR Rf rF Br bR Rb rB".split(
-          " ",
-        ),
+        stringPrefixes: ["f", "r", "b", "u", "rf", "fr", "F", "R"],
       },
     },
   ]),

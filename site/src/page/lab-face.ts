@@ -13,7 +13,6 @@ import "../views/chart.ts";
 import "../views/console.ts";
 import type { Backdrop } from "../views/overhead/backdrop.ts";
 import "../views/overhead/overhead.ts";
-import { showKeys } from "./keys-dialog.ts";
 import "./lab.css";
 import "./lab-menu.ts";
 import type { MenuGroup } from "./lab-menu.ts";
@@ -94,8 +93,12 @@ function tools({ hintId, onCodeSize }: LabFace): TemplateResult {
     <p id=${hintId}>
       ${editorHint.run} <span class="with-alt">${editorHint.numbers}</span> ${editorHint.leave}
     </p>
-    <button type="button" class="keys" @click=${showKeys}>${keyWords.open}</button>
+    <button type="button" class="keys" @click=${openKeys}>${keyWords.open}</button>
     <button type="button" aria-label=${editorWords.smaller} @click=${() => onCodeSize(-1)}>A−</button>
     <button type="button" aria-label=${editorWords.larger} @click=${() => onCodeSize(1)}>A+</button>
   </div>`;
+}
+
+async function openKeys(): Promise<void> {
+  (await import("./keys-dialog.ts")).showKeys();
 }

@@ -17,10 +17,8 @@ import type { MenuGroup } from "./lab-menu.ts";
 import { areMap, mapItems, openMap } from "./map-files.ts";
 import { isOwnMat } from "./mats/own-name.ts";
 import type { Sheet } from "./print.ts";
-import { chooseVersion, offerProgram } from "./program-dialogs.ts";
 import { type LabDesk, placeOfRun, runItems, showRun, titleOf } from "./run-files.ts";
 import { linkTo } from "./share.ts";
-import { showLink } from "./share-dialog.ts";
 import { chooseFile, FileError, readFile, readRun, saveFile } from "./text-file.ts";
 
 export class LabFiles {
@@ -116,6 +114,7 @@ export class LabFiles {
     if (program === mine) return say({ text: shareWords.same });
     const { offered: title, offer, take, keep, taken } = shareWords;
     const lead = offer(program, titleOf(this.#desk, lab.world), lab.seed);
+    const { offerProgram } = await dialogs();
     if (await offerProgram({ title, lead, program, mine: null, take, keep })) {
       this.#replace(program, taken);
     }
@@ -126,7 +125,7 @@ export class LabFiles {
     const { program: kept } = this.#desk;
     const { title, lead, take, keep, taken } = starterWords;
     const offer = { title, lead, program: kept.starter, mine: kept.text, take, keep };
-    const answer = await offerProgram(offer);
+    const answer = await (await dialogs()).offerProgram(offer);
     if (answer === true) this.#replace(kept.starter, taken);
     else if (answer === false) kept.beginsHere();
   }
@@ -150,6 +149,7 @@ export class LabFiles {
 
   async #versions(): Promise<void> {
     const { program } = this.#desk;
+    const { chooseVersion } = await dialogs();
     const text = await chooseVersion(program.versions(), program.text, program.starter);
     if (text !== null) this.#replace(text, versionWords.restored);
   }
@@ -184,7 +184,8 @@ export class LabFiles {
   }
 
   async #share(): Promise<void> {
-    showLink(await this.#link(), () => this.#save());
+    const [{ showLink }, link] = await Promise.all([import("./share-dialog.ts"), this.#link()]);
+    showLink(link, () => this.#save());
   }
 
   /** A link to the program; a mat of the reader's own goes with it. */
@@ -196,3 +197,7 @@ export class LabFiles {
     return linkToMat(labAddress, world, { seed: lab.seed, program: program.text });
   }
 }
+
+/** What few readers open is fetched when they do. */
+const dialogs = (): Promise<typeof import("./program-dialogs.ts")> =>
+  import("./program-dialogs.ts");

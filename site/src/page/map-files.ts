@@ -2,7 +2,7 @@
  * The part of a lab's menu that is about ROS maps: the one drawn, and one from a file. What does
  * the work is fetched on use. May import `runtime`, `trace`, `views` and `ui`.
  */
-import { rosWords } from "../ui/ros-words.ts";
+import { mapMenuWords } from "../ui/file-words.ts";
 import type { MenuGroup } from "./lab-menu.ts";
 import { type LabDesk, placeOfRun } from "./run-files.ts";
 import { chooseFiles } from "./text-file.ts";
@@ -13,18 +13,18 @@ const ACCEPT = ".yaml,.yml,.pgm,.pbm,.ppm,.pnm,.png,.zip";
 
 export function mapItems(desk: LabDesk, told: (act: () => Promise<void>) => Promise<void>) {
   const group: MenuGroup = {
-    title: rosWords.map,
+    title: mapMenuWords.map,
     items: [
-      { label: rosWords.save, act: () => void told(() => save(desk)) },
+      { label: mapMenuWords.save, act: () => void told(() => save(desk)) },
       {
-        label: rosWords.open,
+        label: mapMenuWords.open,
         act: () =>
           void told(async () => {
             const files = await chooseFiles(ACCEPT);
             if (files.length > 0) await openMap(desk, files);
           }),
       },
-      ...(desk.lab.backdrop ? [{ label: rosWords.remove, act: () => remove(desk) }] : []),
+      ...(desk.lab.backdrop ? [{ label: mapMenuWords.remove, act: () => remove(desk) }] : []),
     ],
   };
   return group;
@@ -37,15 +37,16 @@ export function areMap(files: readonly File[]): boolean {
 
 /** Lays the map in these files on the mat; throws FileError. */
 export async function openMap(desk: LabDesk, files: readonly File[]): Promise<void> {
-  desk.say({ text: rosWords.reading });
-  const [{ readRosMap }, { backdropOf, reachOf }] = await Promise.all([
+  desk.say({ text: mapMenuWords.reading });
+  const [{ readRosMap }, { backdropOf, reachOf }, { rosWords }] = await Promise.all([
     import("./ros-map.ts"),
     import("./ros-backdrop.ts"),
+    import("../ui/ros-words.ts"),
   ]);
   const map = await readRosMap(desk.runtime, files);
   desk.lab.backdrop = backdropOf(map, () => remove(desk));
   const text = rosWords.opened(map.name, reachOf(map), map.doubts);
-  desk.say({ text, action: { label: rosWords.remove, act: () => remove(desk) } });
+  desk.say({ text, action: { label: mapMenuWords.remove, act: () => remove(desk) } });
 }
 
 function remove(desk: LabDesk): void {
@@ -58,7 +59,7 @@ async function save(desk: LabDesk): Promise<void> {
   const { world, seed } = placeOfRun(desk);
   const { trace, time } = desk.shown;
   const map = drawnAt(trace, time);
-  desk.say({ text: rosWords.working });
+  desk.say({ text: mapMenuWords.working });
   const moment = time < trace.duration ? time : null;
   desk.say({ text: await saveRosMap(desk.runtime, `${world}-seed-${seed}`, map, moment) });
 }

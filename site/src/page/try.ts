@@ -7,7 +7,7 @@ import { tryWords } from "../ui/try-words.ts";
 import { holdStill, inPlace } from "./hold-still.ts";
 import { BugbotLab } from "./lab.ts";
 import type { Values } from "./lab-try.ts";
-import { TryResult } from "./try-result.ts";
+import type { TryResult } from "./try-result.ts";
 
 export function startTries(root: ParentNode): void {
   /** One result a lab: the one before tells of a program that is no more. */
@@ -17,7 +17,8 @@ export function startTries(root: ParentNode): void {
     const lab = root.querySelector(`#lab-${program}`);
     if (!(lab instanceof BugbotLab)) throw new Error(`there is no lab "lab-${program}" to try on`);
     const values: Values = JSON.parse(constants ?? "{}");
-    button.addEventListener("click", () => {
+    button.addEventListener("click", async () => {
+      const { TryResult } = await import("./try-result.ts");
       const before = results.get(lab);
       before?.stopHolding();
       const result = new TryResult();

@@ -119,3 +119,13 @@ export const printWords = {
   heading: (lab: string, world: string, seed: number) =>
     `${lab ? `${lab}: ` : ""}${world}, seed ${seed}`,
 };
+
+/** The menu's part about ROS maps; what is said of one is in `ros-words.ts`. */
+export const mapMenuWords = {
+  map: "Map",
+  save: "Download as ROS map",
+  open: "Open a ROS map…",
+  remove: "Remove the ROS map",
+  working: "Python is making the map…",
+  reading: "Python is reading the map…",
+};

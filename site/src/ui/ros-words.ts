@@ -22,11 +22,6 @@ const sentence = (text: string): string => `${text.charAt(0).toUpperCase()}${tex
 const percent = (share: number): string => String(Number((100 * share).toFixed(1)));
 
 export const rosWords = {
-  /** The title of the menu's part. */
-  map: "Map",
-  save: "Download as ROS map",
-  open: "Open a ROS map…",
-  remove: "Remove the ROS map",
   /** `moment` is the shown one [s], or null at the end of the run. */
   saved: (
     file: string,
@@ -34,8 +29,6 @@ export const rosWords = {
     moment: number | null,
   ) =>
     `${file} has the map as it is at ${moment === null ? "the end of the run" : `${moment.toFixed(1)} s`}, and its YAML file: ${free} cells free, ${occupied} occupied, ${unknown} unknown.`,
-  working: "Python is making the map…",
-  reading: "Python is reading the map…",
   noMap:
     "There is no map to take away at this moment: draw its cells as squares, in a layer named “free” and one named “occupied”.",
   mixed: (free: number, occupied: number) =>
