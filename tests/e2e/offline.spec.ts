@@ -41,7 +41,7 @@ test("after one visit everything works with the network cut, until it is removed
 
   await site.cut();
   await page.reload();
-  expect(await app.text()).toBe(WITH_NUMPY);
+  await expect.poll(() => app.text()).toBe(WITH_NUMPY);
   await app.run.click();
   await expect(app.console).toContainText("sum 10");
 

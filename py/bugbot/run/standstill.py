@@ -143,7 +143,7 @@ class Standstill:
 
     def _read(self) -> tuple[list[Any], list[Any]]:
         if self._nodes is None:
-            with warnings.catch_warnings(module=warnings):  # they have been shown when the program was compiled
+            with warnings.catch_warnings():  # they have been shown when the program was compiled
                 warnings.simplefilter("ignore")
                 every = list(ast.walk(ast.parse(self._source)))
             loops = [each for each in every if isinstance(each, (ast.While, *_FOR))]

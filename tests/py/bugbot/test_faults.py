@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from bugbot.run import slips
 from bugbot.run.faults import fault_of
 from bugbot.sim import simulator
 
@@ -238,3 +239,18 @@ def test_a_fault_of_ours_is_said_to_be_ours(
 def test_an_error_of_the_learners_inside_our_call_is_theirs(run_calls: Run) -> None:
     ran = run_calls("def points():\n    yield 1 / 0\ndraw('a', points())")
     assert (ran.fault["line"], ran.fault["message"]) == (3, "division by zero")
+
+
+def test_an_error_is_told_even_if_no_cause_can_be_looked_for(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(_case: object) -> str:
+        raise KeyError("warnings")
+
+    monkeypatch.setattr(slips, "_ORDER", (broken,))
+    ran = run("x = 1 / 0")
+    assert (ran.fault["type"], ran.fault["line"], ran.fault["hint"]) == (
+        "ZeroDivisionError",
+        1,
+        None,
+    )

@@ -50,4 +50,9 @@ _ORDER = (
 
 def likely_cause(case: Case) -> str | None:
     """What probably went wrong and what to do, or None if this looks like nothing known."""
-    return next((hint for slip in _ORDER if (hint := slip(case)) is not None), None)
+    try:
+        return next((hint for slip in _ORDER if (hint := slip(case)) is not None), None)
+    except (
+        Exception
+    ):  # the program may have broken what looking for a cause needs: sys.modules, say
+        return None

@@ -75,7 +75,7 @@ class Case:
         """The parts of the program of these kinds that reach over the learner's line."""
         if self.line is None or isinstance(self.error, SyntaxError):
             return []
-        with warnings.catch_warnings(module=warnings):  # they have been shown when the program was compiled
+        with warnings.catch_warnings():  # they have been shown when the program was compiled
             warnings.simplefilter("ignore")
             try:
                 tree = ast.parse("\n".join(self.lines))

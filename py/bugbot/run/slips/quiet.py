@@ -35,7 +35,7 @@ def remarks(source: str, link: Link) -> list[str]:
         return ["The program is empty."]
     found = list(_about_the_run(link))
     if len(source) <= _LONGEST_READ:
-        with warnings.catch_warnings(module=warnings):  # they have been shown when the program was compiled
+        with warnings.catch_warnings():  # they have been shown when the program was compiled
             warnings.simplefilter("ignore")
             tree = ast.parse(source)
         found += _about_the_text(tree)
