@@ -3,13 +3,16 @@
 May import: the standard library, `bugbot.errors`, `mapping`, `grader.failures`, `grader.scans`.
 
 A map is judged by what is drawn on the mat: squares in two layers, one of the cells that it calls
-free and one of those it calls occupied. What variables hold it in the program is nobody's business.
+free and one of those it calls occupied. What variables hold it in the program is nobody's business,
+nor is the rule by which it turns beams into cells. It is held against two things: what really
+stands on the mat (`mapping.score`), and what the run's own beams say (`mapping.evidence`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cached_property
+from math import ceil
 from typing import TYPE_CHECKING, Any
 
 from bugbot.errors import WrongValueError, nearest
@@ -17,10 +20,12 @@ from bugbot.frames import MAT_CM
 from mapping.frontiers import State, known_states
 from mapping.grid import Grid
 from mapping.mapper import Mapper
-from mapping.score import Score, score
+from mapping.log_odds import KNOWN
+from mapping.score import Score, score, surfaces_found
 
 if TYPE_CHECKING:
     from grader.runs import Run
+    from mapping.evidence import Evidence
 
 __all__ = ["Map", "drawn_map", "reference_map"]
 
@@ -31,28 +36,93 @@ _OFF_CENTRE = 0.25
 class Map:
     """What is known of each cell, drawn by a run or made by the reference.
 
+    known   log odds beyond which the lesson calls a cell known
+    off_by  how far the poses it was made with may be off [cm]; 0 if the camera told them
+
     Each expectation returns the map, so that they can be written one after the other.
     """
 
-    def __init__(self, run: Run, grid: Grid, states: Sequence[State], seconds: float) -> None:
+    def __init__(
+        self,
+        run: Run,
+        grid: Grid,
+        states: Sequence[State],
+        seconds: float,
+        known: float = KNOWN,
+        off_by: float = 0.0,
+    ) -> None:
         self.run = run
         self.grid = grid
         self.states = list(states)
         self.seconds = seconds
+        self._known = known
+        self._off_by = off_by
+
+    # -- values --------------------------------------------------------------
 
     @cached_property
     def score(self) -> Score:
         """The map against the truth, as `mapping.score` counts."""
         return score(self.grid, self.states, self.run.obstacles)
 
+    @cached_property
+    def _said(self) -> list[int]:
+        return [index for index, state in enumerate(self.states) if state is not State.UNKNOWN]
+
+    @property
+    def _evidence(self) -> Evidence:
+        return self.run.evidence(self.grid, self.seconds)
+
+    @cached_property
+    def unsupported(self) -> list[int]:
+        """The cells it calls known without support from the beams; none where poses may be off."""
+        if self._off_by:
+            return []
+        supports = self._evidence.supports
+        return [each for each in self._said if not supports(each, self.states[each], self._known)]
+
+    @property
+    def known_percent(self) -> float:
+        """Share of the mat that is known, with the beams' support, 0 to 100."""
+        return 100.0 * (len(self._said) - len(self.unsupported)) / len(self.states)
+
+    @property
+    def unsupported_percent(self) -> float:
+        """Share of the mat that it calls known without support from its beams, 0 to 100."""
+        return 100.0 * len(self.unsupported) / len(self.states)
+
+    @cached_property
+    def backed_percent(self) -> float:
+        """Share of the mat that is known, and would be by any rule for its floor, 0 to 100."""
+        backs = self._evidence.backs
+        backed = sum(backs(each, self.states[each], self._known) for each in self._said)
+        return 100.0 * backed / len(self.states)
+
+    @cached_property
+    def _surfaces(self) -> tuple[list[int], list[int]]:
+        return surfaces_found(self.grid, self.states, self.run.surfaces(self.grid, self.seconds))
+
+    @property
+    def walls_found_percent(self) -> float:
+        """Share of the surfaces met by three beams or more that it shows; 100 if there is none."""
+        found, missed = self._surfaces
+        return 100.0 * len(found) / (len(found) + len(missed)) if found or missed else 100.0
+
     # -- expectations --------------------------------------------------------
 
     def known(self, at_least: float = 0.0, at_most: float = 100.0) -> Map:
-        """Expect so many per cent of the mat to be known: free or occupied."""
-        percent = self.score.known_percent
+        """Expect so many per cent of the mat to be known, free or occupied, by the beams' word."""
+        percent = self.known_percent
         if percent < at_least:
             unknown = self._cells(i for i, s in enumerate(self.states) if s is State.UNKNOWN)
-            self._fail(f"at least {at_least:g} % of the mat known", f"{percent:.1f} %", unknown)
+            got = f"{percent:.1f} %"
+            if self.unsupported_percent >= 0.5:
+                unknown = self._cells(self.unsupported)
+                got += (
+                    f", not counting {len(self.unsupported)} cells that are drawn though the "
+                    "beams don't say so"
+                )
+            self._fail(f"at least {at_least:g} % of the mat known", got, unknown)
         if percent > at_most:
             words = f"at most {at_most:g} % of the mat known: the rest can't be seen from there"
             self._fail(words, f"{percent:.1f} %", [])
@@ -79,6 +149,54 @@ class Map:
                 f"{percent:.1f} %: {len(wrong)} of {free} cells",
                 self._cells(wrong),
             )
+        return self
+
+    def walls_found(self, at_least: float) -> Map:
+        """Expect the map to show so many per cent of the surfaces that its beams have met."""
+        percent = self.walls_found_percent
+        if percent < at_least:
+            found, missed = self._surfaces
+            self._fail(
+                f"at least {at_least:g} % of the walls that its beams have met to be black, "
+                "give or take a cell",
+                f"{percent:.1f} %: {len(found)} of {len(found) + len(missed)} places",
+                self._cells(missed),
+            )
+        return self
+
+    def unsupported_cells(self, at_most: float) -> Map:
+        """Expect at most so many per cent of its known cells to be without the beams' support."""
+        cells = self.unsupported
+        percent = 100.0 * len(cells) / max(1, len(self._said))
+        if percent > at_most:
+            self._fail(
+                f"at most {at_most:g} % of its cells drawn free or occupied without enough "
+                "evidence from the beams",
+                f"{percent:.1f} %: {len(cells)} of {len(self._said)} cells",
+                self._cells(cells),
+            )
+        return self
+
+    def plain(self, floor_at_least: float, walls_at_least: float) -> Map:
+        """Expect what the beams leave no doubt of: so many per cent of that floor and those walls.
+
+        Whatever rule a map is made by, these cells come out the same.
+        """
+        plain = [self._evidence.plain(index) for index in range(len(self.states))]
+        for state, at_least, what in (
+            (State.FREE, floor_at_least, "floor"),
+            (State.OCCUPIED, walls_at_least, "wall"),
+        ):
+            there = [index for index, each in enumerate(plain) if each is state]
+            other = [index for index in there if self.states[index] is not state]
+            if 100.0 * (len(there) - len(other)) < at_least * len(there):
+                self._fail(
+                    f"at least {at_least:g} % of the cells that are plainly {what}, by what the "
+                    f"beams read, drawn as {state.name.lower()}",
+                    f"{100.0 - 100.0 * len(other) / len(there):.1f} %: "
+                    f"{len(other)} of {len(there)} are not",
+                    self._cells(other),
+                )
         return self
 
     def cells_of(self, cell_cm: float) -> Map:
@@ -116,7 +234,7 @@ class Map:
             )
         return self
 
-    # -- values --------------------------------------------------------------
+    # -- likeness, for naming mistakes ---------------------------------------
 
     def agreement(self, other: Map) -> float:
         """Per cent of the cells known in either map that are the same in both; 0 if none are."""
@@ -138,18 +256,18 @@ class Map:
     # -- evidence ------------------------------------------------------------
 
     def must_have_been_seen(self) -> None:
-        """Refuse a map of cells where no beam of its run has been."""
-        seen = self.run.touched(self.grid, self.seconds)
-        known = [index for index, state in enumerate(self.states) if state is not State.UNKNOWN]
-        unseen = [index for index in known if index not in seen]
-        if len(unseen) > max(3, len(known) // 50):
+        """Refuse a map of cells where no beam has been, or of which the beams say the opposite."""
+        reach = 1 + ceil(self._off_by / self.grid.cell_cm)
+        allows = self._evidence.allows
+        unseen = [each for each in self._said if not allows(each, self.states[each], reach)]
+        if len(unseen) > max(3, len(self._said) // 50):
             raise self.run.failure(
-                "a map only of cells that a beam of this run has passed or hit",
-                f"{len(unseen)} of its {len(known)} known cells lie where no beam has been",
+                "a map of what the beams of this run have seen",
+                f"{len(unseen)} of its {len(self._said)} known cells lie where no beam has been, or "
+                "are the opposite of what the beams say",
                 cells=self._cells(unseen),
                 cell_cm=self.grid.cell_cm,
                 seconds=self.seconds,
-                likely="cells are drawn as known before anything was seen of them",
             )
 
     # -- inside --------------------------------------------------------------
@@ -165,10 +283,16 @@ class Map:
 
 def reference_map(run: Run, mapper: Mapper, known: float, seconds: float) -> Map:
     """The map that a mapper of the reference has made of a run's scans."""
-    return Map(run, mapper.grid, known_states(mapper.grid.cells, known), seconds)
+    return Map(run, mapper.grid, known_states(mapper.grid.cells, known), seconds, known)
 
 
-def drawn_map(run: Run, layers: dict[str, State], seconds: float) -> Map:
+def drawn_map(
+    run: Run,
+    layers: dict[str, State],
+    seconds: float,
+    known: float = KNOWN,
+    off_by: float = 0.0,
+) -> Map:
     """The map in those layers as they were at a time; fails if it is none."""
     grid: Grid | None = None
     states: list[State] = []
@@ -190,7 +314,7 @@ def drawn_map(run: Run, layers: dict[str, State], seconds: float) -> Map:
             )
         _fill(run, grid, states, name, state, drawn["points"], seconds)
     assert grid is not None
-    return Map(run, grid, states, seconds)
+    return Map(run, grid, states, seconds, known, off_by)
 
 
 def _layer(run: Run, name: str, seconds: float) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from functools import cached_property
 from math import hypot
@@ -25,12 +25,14 @@ from grader.failures import AuthorError, CheckFailed
 from grader.jobs import died_of
 from grader.lines import Line
 from grader.maps import Map, drawn_map, reference_map
-from grader.scans import Scan, SeenAs, evidence_at, mapper_of, scans_of, touched
+from grader.scans import Scan, SeenAs, beams_of, evidence_at, mapper_of, scans_of
+from grader.surfaces import surfaces_met
 from grader.text import Text
 from grader.traces import trace_from
 from grader.trust import doubt
 from grader.values import MalformedError
 from mapping.beam import PassedBy, Weights, passed_by_steps
+from mapping.evidence import Evidence
 from mapping.frontiers import State
 from mapping.grid import Grid
 from mapping.log_odds import KNOWN
@@ -62,7 +64,8 @@ class Run:
         self._mistakes: tuple[Mistake, ...] = ()
         self._maps: list[Map] = []
         # Worked out once, and shared by all that look at this run.
-        self._touched: dict[tuple[float, float], set[int]] = {}
+        self._evidence: dict[tuple[float, float], Evidence] = {}
+        self._surfaces: dict[tuple[float, float], Mapping[int, int]] = {}
         self._mappers: dict[tuple[Any, ...], Mapper] = {}
         self._world = World.from_dict(job["world"])
         self.start: Start = self._world.start
@@ -178,11 +181,22 @@ class Run:
 
     # -- maps ----------------------------------------------------------------
 
-    def map(self, at: float | None = None, free: str = "free", occupied: str = "occupied") -> Map:
-        """The map drawn in these two layers, at the end or at a time [s]."""
+    def map(
+        self,
+        at: float | None = None,
+        free: str = "free",
+        occupied: str = "occupied",
+        known: float = KNOWN,
+        off_by: float = 0.0,
+    ) -> Map:
+        """The map drawn in these two layers, at the end or at a time [s].
+
+        known   log odds beyond which the lesson calls a cell known
+        off_by  how far the program's own poses may be off, if it has no camera [cm]
+        """
         seconds = self.seconds if at is None else at
         layers = {free: State.FREE, occupied: State.OCCUPIED}
-        drawn = drawn_map(self, layers, seconds)
+        drawn = drawn_map(self, layers, seconds, known, off_by)
         self._maps.append(drawn)
         return drawn
 
@@ -212,13 +226,22 @@ class Run:
         """Time and log odds, at first and after each scan, of the cell that holds a point."""
         return evidence_at(self.scans, x, y, cell_cm, weights, passed_by, seen_as)
 
-    def touched(self, grid: Grid, seconds: float) -> set[int]:
-        """The cells that beams of this run, up to a time, may have spoken of."""
+    def evidence(self, grid: Grid, seconds: float) -> Evidence:
+        """What the beams of this run, up to a time, say of the cells."""
         key = (grid.cell_cm, seconds)
-        if key not in self._touched:
-            scans = [scan for scan in self.scans if scan.t <= seconds + 1e-6]
-            self._touched[key] = touched(scans, grid)
-        return self._touched[key]
+        if key not in self._evidence:
+            self._evidence[key] = Evidence(grid, beams_of(self._scans_until(seconds)))
+        return self._evidence[key]
+
+    def surfaces(self, grid: Grid, seconds: float) -> Mapping[int, int]:
+        """How many beams of this run, up to a time, really met something in each cell."""
+        key = (grid.cell_cm, seconds)
+        if key not in self._surfaces:
+            self._surfaces[key] = surfaces_met(self._world, self._scans_until(seconds), grid)
+        return self._surfaces[key]
+
+    def _scans_until(self, seconds: float) -> list[Scan]:
+        return [scan for scan in self.scans if scan.t <= seconds + 1e-6]
 
     def layers(self, seconds: float = _END) -> dict[str, dict[str, Any]]:
         """The layers as they were drawn last up to a time, with their points."""

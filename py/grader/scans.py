@@ -1,27 +1,26 @@
 """What the reference makes of a run's own scans, taken as they were or as a slip would.
 
-May import: the standard library, `bugbot.frames`, `bugbot.trace`, `mapping`.
+May import: the standard library, `bugbot.trace`, `mapping`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from math import floor
 
-from bugbot.frames import direction
 from bugbot.trace import Trace
 from mapping.beam import PassedBy, Weights, passed_by_steps
+from mapping.evidence import Beam
 from mapping.grid import Grid
 from mapping.mapper import Mapper
 
-__all__ = ["Scan", "SeenAs", "evidence_at", "mapper_of", "scans_of", "touched"]
+__all__ = ["Scan", "SeenAs", "beams_of", "evidence_at", "mapper_of", "scans_of"]
 
-Beam = tuple[float, float, float, float, float]
+Seen = tuple[float, float, float, float, float]
 """x, y of the robot on the mat [cm], its heading, the beam's angle from straight ahead [degrees
 clockwise], the reading [cm]."""
 
-SeenAs = Callable[[float, float, float, float, float], Beam | None]
+SeenAs = Callable[[float, float, float, float, float], Seen | None]
 """How a slip would take a beam: the five numbers it would go by, or None to leave it out."""
 
 
@@ -56,7 +55,7 @@ def mapper_of(
     mapper = Mapper(cell_cm, weights, passed_by)
     for scan in scans:
         for angle, reading in scan.beams:
-            beam: Beam | None = (scan.x, scan.y, scan.heading, angle, reading)
+            beam: Seen | None = (scan.x, scan.y, scan.heading, angle, reading)
             if seen_as is not None:
                 beam = seen_as(scan.x, scan.y, scan.heading, angle, reading)
             if beam is not None and beam[4] >= 0.0:
@@ -86,28 +85,9 @@ def evidence_at(
     return found
 
 
-def touched(scans: Iterable[Scan], grid: Grid) -> set[int]:
-    """The cells that a beam of these scans may have spoken of, and those round them."""
-    looks: dict[tuple[int, int, int, float], tuple[float, ...]] = {}
-    for scan in scans:  # a robot that looks ten times a second looks at the same again and again
+def beams_of(scans: Iterable[Scan]) -> Iterator[Beam]:
+    """The beams of these scans, as they lie on the mat."""
+    for scan in scans:
         for angle, reading in scan.beams:
-            key = (round(scan.x), round(scan.y), round(scan.heading), angle)
-            before = looks.get(key)
-            if before is None or before[3] < reading:
-                looks[key] = (scan.x, scan.y, scan.heading + angle, reading)
-    across, cell_cm = grid.across, grid.cell_cm
-    crossed = set()
-    for x, y, angle, reading in looks.values():
-        dx, dy = direction(angle)
-        for step in range(floor(reading / cell_cm) + 2):
-            column = floor((x + step * cell_cm * dx) / cell_cm)
-            row = floor((y + step * cell_cm * dy) / cell_cm)
-            crossed.add(row * (across + 2) + column)
-    wide = across + 2
-    around = [rows * wide + columns for rows in (-1, 0, 1) for columns in (-1, 0, 1)]
-    grown = {cell + step for cell in crossed for step in around}
-    return {
-        index
-        for index in range(len(grid.cells))
-        if index // across * wide + index % across in grown
-    }
+            if reading >= 0.0:
+                yield scan.x, scan.y, scan.heading + angle, reading

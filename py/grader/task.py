@@ -1,6 +1,6 @@
 """What a check is handed: the words in which it asks and expects.
 
-May import: the standard library, the rest of `grader`.
+May import: the standard library, `mapping`, the rest of `grader`.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from grader.jobs import Desk, Group
 from grader.runs import Run
 from grader.trials import Trial
 from grader.values import shown
+from mapping.log_odds import KNOWN
 
 __all__ = ["Task"]
 
@@ -130,6 +131,7 @@ class Task:
         scored: Scoring | None = None,
         free: str = "free",
         occupied: str = "occupied",
+        known: float = KNOWN,
     ) -> list[Trial]:
         """Run the learner's program once for each seed, to report on every run.
 
@@ -137,6 +139,7 @@ class Task:
         seeds                     of each run's noise
         scored                    what a run is worth, made by scoring(…)
         free, occupied            the layers in which its map is drawn
+        known                     log odds beyond which the lesson calls a cell known
         """
         if not seeds or len(set(seeds)) != len(seeds):
             raise AuthorError(f"task.trials(…) wants different seeds; it got {shown(list(seeds))}")
@@ -152,7 +155,7 @@ class Task:
         if wanting:
             raise NeedsJob
         layers = {"free": free, "occupied": occupied}
-        made = [Trial(run, layers, scored, alone=len(runs) == 1) for run in runs]
+        made = [Trial(run, layers, scored, alone=len(runs) == 1, known=known) for run in runs]
         self.trials_made += made
         return made
 

@@ -17,6 +17,7 @@ from grader.declare import Scoring
 from grader.failures import AuthorError, CheckFailed, ProgramFailed
 from grader.maps import Map
 from grader.runs import Run
+from mapping.log_odds import KNOWN
 
 __all__ = ["Trial"]
 
@@ -30,12 +31,19 @@ class Trial:
     run      the run itself, for values: `grader.runs.Run`
     seed     of its noise
     layers   those that hold its map: {"free": name, "occupied": name}
+    known    log odds beyond which the lesson calls a cell known
     drawn    the map; None if there is none to look at
     figures  as a mark has them, in the order they were asked for
     """
 
     def __init__(
-        self, run: Run, layers: dict[str, str], scored: Scoring | None, *, alone: bool
+        self,
+        run: Run,
+        layers: dict[str, str],
+        scored: Scoring | None,
+        *,
+        alone: bool,
+        known: float = KNOWN,
     ) -> None:
         self.run = run
         self.seed: int = run.place["seed"]
@@ -43,6 +51,7 @@ class Trial:
         self.figures: list[dict[str, Any]] = []
         self.scoring = scored
         self._alone = alone
+        self._known = known
         # Slips are looked for once, in the failure that is told: each look makes maps.
         self._plain = run.with_mistakes(())
         self._why: str | None = None
@@ -54,10 +63,10 @@ class Trial:
     # -- figures, and the limits they have to keep -----------------------------------
 
     def known(self, at_least: float | None = None, at_most: float | None = None) -> Trial:
-        """How much of the mat is known [%]."""
+        """How much of the mat is known, by the word of the run's beams [%]."""
         return self._of_map(
             "known",
-            lambda drawn: drawn.score.known_percent,
+            lambda drawn: drawn.known_percent,
             lambda drawn: drawn.known(_or(at_least, 0.0), _or(at_most, 100.0)),
             at_least,
             at_most,
@@ -79,6 +88,26 @@ class Trial:
             "wrong floor",
             lambda drawn: drawn.score.wrong_floor_percent,
             lambda drawn: drawn.wrong_floor(_or(at_most, 100.0)),
+            None,
+            at_most,
+        )
+
+    def walls_found(self, at_least: float | None = None) -> Trial:
+        """How many of the surfaces that its beams have met are on the map [%]."""
+        return self._of_map(
+            "walls found",
+            lambda drawn: drawn.walls_found_percent,
+            lambda drawn: drawn.walls_found(_or(at_least, 0.0)),
+            at_least,
+            None,
+        )
+
+    def unsupported(self, at_most: float | None = None) -> Trial:
+        """How much of the mat is drawn as known though its beams don't say so [%]."""
+        return self._of_map(
+            "unsupported",
+            lambda drawn: drawn.unsupported_percent,
+            lambda drawn: drawn.unsupported_cells(_or(at_most, 100.0)),
             None,
             at_most,
         )
@@ -191,7 +220,8 @@ class Trial:
         if not self.run.is_honest:
             return None
         try:
-            return self._plain.map(None, self.layers["free"], self.layers["occupied"])
+            free, occupied = self.layers["free"], self.layers["occupied"]
+            return self._plain.map(None, free, occupied, self._known)
         except CheckFailed as failure:
             self._failures.append(failure)
             return None

@@ -20,11 +20,19 @@ right (its middles are half a cell from the edge) and the second is wrong.
 Reading it as "no real cell among the eight around it" would be kinder by up to a
 cell along the mat's edge: the drifted map of demo 3 would then lose about a quarter of
 its wrong walls, though they are as doubled as before.
+
+A map without a single black cell has no wrong walls. So two more figures are counted.
+
+* Wrong floor: free cells whose middle is inside an obstacle. A wall's face may run anywhere
+  through its cell, which is the allowance: up to half of such a cell can be floor.
+* Walls found: of the cells in which beams have really met a surface, how many have a black cell
+  there or beside them. `SEEN_LEAST` beams have to have met it, as one or two hits, spread by
+  noise, need not make a cell black. One cell beside is the thickness that noise gives a wall.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import hypot
 
@@ -32,7 +40,10 @@ from bugbot.frames import MAT_CM
 from mapping.frontiers import State
 from mapping.grid import Grid
 
-__all__ = ["Rectangle", "Score", "gap_cm", "score"]
+__all__ = ["SEEN_LEAST", "Rectangle", "Score", "gap_cm", "score", "surfaces_found"]
+
+SEEN_LEAST = 3
+"""A surface that fewer beams have met need not be on a map."""
 
 Rectangle = tuple[float, float, float, float]
 """An obstacle: x and y of its lower left corner, width, height [cm]."""
@@ -99,3 +110,24 @@ def score(grid: Grid, states: Sequence[State], obstacles: Iterable[Rectangle]) -
         wrong_walls=tuple(i for i in occupied if gap_cm(*grid.centre(i), real) > grid.cell_cm),
         wrong_floor=tuple(i for i in free if gap_cm(*grid.centre(i), real) == 0.0),
     )
+
+
+def surfaces_found(
+    grid: Grid, states: Sequence[State], met: Mapping[int, int], least: int = SEEN_LEAST
+) -> tuple[list[int], list[int]]:
+    """The cells with a surface that beams have met: those that the map shows, and the others.
+
+    met    how many beams really met a surface in each cell, by the cell's index
+    least  a surface that fewer have met is left out
+
+    >>> surfaces_found(Grid(100), [State.OCCUPIED, *[State.FREE] * 3], {3: 5, 2: 1})
+    ([3], [])
+    """
+    found: list[int] = []
+    missed: list[int] = []
+    for index, beams in sorted(met.items()):
+        if beams >= least:
+            near = (index, *grid.around(index))
+            shown = any(states[each] is State.OCCUPIED for each in near)
+            (found if shown else missed).append(index)
+    return found, missed
