@@ -20,7 +20,6 @@ from bugbot.frames import MAT_CM
 from mapping.frontiers import State, known_states
 from mapping.grid import Grid
 from mapping.mapper import Mapper
-from mapping.log_odds import KNOWN
 from mapping.score import Score, score, surfaces_found
 
 if TYPE_CHECKING:
@@ -36,7 +35,7 @@ _OFF_CENTRE = 0.25
 class Map:
     """What is known of each cell, drawn by a run or made by the reference.
 
-    known   log odds beyond which the lesson calls a cell known
+    known   log odds of the beams that a cell must be beyond to count as known
     off_by  how far the poses it was made with may be off [cm]; 0 if the camera told them
 
     Each expectation returns the map, so that they can be written one after the other.
@@ -48,7 +47,7 @@ class Map:
         grid: Grid,
         states: Sequence[State],
         seconds: float,
-        known: float = KNOWN,
+        known: float = 0.0,
         off_by: float = 0.0,
     ) -> None:
         self.run = run
@@ -263,8 +262,8 @@ class Map:
         if len(unseen) > max(3, len(self._said) // 50):
             raise self.run.failure(
                 "a map of what the beams of this run have seen",
-                f"{len(unseen)} of its {len(self._said)} known cells lie where no beam has been, or "
-                "are the opposite of what the beams say",
+                f"{len(unseen)} of its {len(self._said)} known cells lie where no beam has been, "
+                "or are the opposite of what the beams say",
                 cells=self._cells(unseen),
                 cell_cm=self.grid.cell_cm,
                 seconds=self.seconds,
@@ -290,7 +289,7 @@ def drawn_map(
     run: Run,
     layers: dict[str, State],
     seconds: float,
-    known: float = KNOWN,
+    known: float = 0.0,
     off_by: float = 0.0,
 ) -> Map:
     """The map in those layers as they were at a time; fails if it is none."""

@@ -186,12 +186,12 @@ class Run:
         at: float | None = None,
         free: str = "free",
         occupied: str = "occupied",
-        known: float = KNOWN,
+        known: float = 0.0,
         off_by: float = 0.0,
     ) -> Map:
         """The map drawn in these two layers, at the end or at a time [s].
 
-        known   log odds beyond which the lesson calls a cell known
+        known   log odds of the beams that a cell must be beyond to count as known
         off_by  how far the program's own poses may be off, if it has no camera [cm]
         """
         seconds = self.seconds if at is None else at

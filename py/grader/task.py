@@ -1,6 +1,6 @@
 """What a check is handed: the words in which it asks and expects.
 
-May import: the standard library, `mapping`, the rest of `grader`.
+May import: the standard library, the rest of `grader`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from grader.jobs import Desk, Group
 from grader.runs import Run
 from grader.trials import Trial
 from grader.values import shown
-from mapping.log_odds import KNOWN
 
 __all__ = ["Task"]
 
@@ -131,7 +130,7 @@ class Task:
         scored: Scoring | None = None,
         free: str = "free",
         occupied: str = "occupied",
-        known: float = KNOWN,
+        known: float = 0.0,
     ) -> list[Trial]:
         """Run the learner's program once for each seed, to report on every run.
 
@@ -139,7 +138,7 @@ class Task:
         seeds                     of each run's noise
         scored                    what a run is worth, made by scoring(…)
         free, occupied            the layers in which its map is drawn
-        known                     log odds beyond which the lesson calls a cell known
+        known                     log odds of the beams that a cell must be beyond to count as known
         """
         if not seeds or len(set(seeds)) != len(seeds):
             raise AuthorError(f"task.trials(…) wants different seeds; it got {shown(list(seeds))}")

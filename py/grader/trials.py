@@ -17,7 +17,6 @@ from grader.declare import Scoring
 from grader.failures import AuthorError, CheckFailed, ProgramFailed
 from grader.maps import Map
 from grader.runs import Run
-from mapping.log_odds import KNOWN
 
 __all__ = ["Trial"]
 
@@ -31,7 +30,7 @@ class Trial:
     run      the run itself, for values: `grader.runs.Run`
     seed     of its noise
     layers   those that hold its map: {"free": name, "occupied": name}
-    known    log odds beyond which the lesson calls a cell known
+    known    log odds of the beams that a cell must be beyond to count as known
     drawn    the map; None if there is none to look at
     figures  as a mark has them, in the order they were asked for
     """
@@ -43,7 +42,7 @@ class Trial:
         scored: Scoring | None,
         *,
         alone: bool,
-        known: float = KNOWN,
+        known: float = 0.0,
     ) -> None:
         self.run = run
         self.seed: int = run.place["seed"]

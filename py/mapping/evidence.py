@@ -50,8 +50,6 @@ class Evidence:
 
     crossed  how many beams went through each cell and on
     ended    how many ended in it
-    low      the lowest of the three sums of its log odds
-    high     the highest of them
 
     >>> evidence = Evidence(Grid(50), [(25, 25, 0, 130)])
     >>> evidence.crossed[0], evidence.ended[12], evidence.supports(12, State.OCCUPIED)
@@ -69,10 +67,12 @@ class Evidence:
 
     @cached_property
     def low(self) -> list[float]:
+        """The lowest of the three sums of each cell's log odds."""
         return [min(sums) for sums in zip(*self._sums, strict=True)]
 
     @cached_property
     def high(self) -> list[float]:
+        """The highest of the three."""
         return [max(sums) for sums in zip(*self._sums, strict=True)]
 
     def supports(self, index: int, state: State, known: float = KNOWN) -> bool:

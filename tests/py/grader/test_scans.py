@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from grader.scans import Scan, evidence_at, mapper_of, touched
+from grader.scans import Scan, beams_of, evidence_at, mapper_of
 from mapping.beam import Weights, passed_by_bresenham
-from mapping.grid import Grid
 
 
 def beam(x: float, y: float, reading: float, t: float = 0.0, heading: float = 0.0) -> Scan:
@@ -14,27 +13,9 @@ def beam(x: float, y: float, reading: float, t: float = 0.0, heading: float = 0.
     return Scan(t, x, y, heading, ((0.0, reading),))
 
 
-def block(columns: range, rows: range) -> set[int]:
-    """Indices of cells of 10 cm."""
-    return {row * 20 + column for row in rows for column in columns}
-
-
-@pytest.mark.parametrize(
-    ("scans", "cells"),
-    [
-        # Up from row 4, 30 cm and one cell for the wall: rows 4 to 8, and those round them.
-        ([beam(100, 40, 30)], block(range(9, 12), range(3, 10))),
-        # What looks the same twice is taken once, as far as it was seen to be free.
-        ([beam(100, 40, 30), beam(100.2, 40, 10)], block(range(9, 12), range(3, 10))),
-        ([beam(100, 40, 10), beam(100.2, 40, 30)], block(range(9, 12), range(3, 10))),
-        # To another side, and off the mat: nothing comes back in on the other side.
-        ([beam(5, 45, 0, heading=180)], block(range(2), range(2, 6))),
-        ([beam(195, 45, 0, heading=90)], block(range(18, 20), range(3, 6))),
-        ([], set()),
-    ],
-)
-def test_cells_that_beams_may_have_spoken_of(scans: list[Scan], cells: set[int]) -> None:
-    assert touched(scans, Grid(10)) == cells
+def test_beams_lie_on_the_mat_by_heading_and_angle_and_missing_readings_are_none() -> None:
+    scan = Scan(0.0, 50, 60, 90.0, ((-10.0, 30.0), (10.0, -1.0)))
+    assert list(beams_of([scan])) == [(50, 60, 80.0, 30.0)]
 
 
 def test_the_reference_takes_each_beam_from_where_it_was_looked() -> None:
