@@ -72,7 +72,9 @@ class Run:
         self.obstacles: list[Rectangle] = [
             (each.x, each.y, each.width, each.height) for each in self._world.obstacles
         ]
-        self.drift = Odometry(wrap_heading(self.start.heading), job["seed"]).drift_deg_s
+        heading = wrap_heading(self.start.heading)
+        drift_deg_s = self._world.odometry.drift_deg_s
+        self.drift = Odometry(heading, job["seed"], drift_deg_s).drift_deg_s
         self.seconds = 0.0
         self.console = ""
         self.bumps = 0

@@ -7,7 +7,7 @@ A program that gets behind the robot's calls can put the robot anywhere, take th
 off its sensor, or write a trace of its own. None of that goes unseen:
 
 * The robot starts where the world says, is never nearer to anything than its radius, and moves
-  and turns no faster than it can. A moving robot is recorded every 0.04 s, so it can't
+  and turns no faster than it can in that world. A moving robot is recorded every 0.04 s, so it can't
   jump through a wall between two records.
 * Each reading is the one that the simulator gives at that place with this seed. The noise comes
   from one generator, so the readings can simply be made once more.
@@ -46,6 +46,8 @@ def doubt(trace: Trace, world: World) -> tuple[str, float] | None:
 def _about_motion(trace: Trace, world: World) -> tuple[str, float] | None:
     start = world.start
     t, x, y, heading = 0.0, start.x, start.y, start.heading
+    fastest_cm_s = _FASTEST_CM_S * (1.0 - world.odometry.slip)
+    spin_deg_s = SPIN_DEG_S * world.odometry.turn_scale
     for event in trace.events:
         if event[0] not in ("pose", "scan"):
             continue
@@ -54,7 +56,7 @@ def _about_motion(trace: Trace, world: World) -> tuple[str, float] | None:
             passed = now - t
             moved = hypot(next_x - x, next_y - y)
             turned = abs(turn_between(heading, next_heading))
-            if moved > _FASTEST_CM_S * passed + _SLACK or turned > SPIN_DEG_S * passed + _SLACK:
+            if moved > fastest_cm_s * passed + _SLACK or turned > spin_deg_s * passed + _SLACK:
                 return "the robot is somewhere it can't have driven or turned to in the time", now
             if passed > _RECORDED_EVERY_S + _SLACK:
                 return "the record of its movement has a gap", now

@@ -247,6 +247,8 @@ test("a file has the name of a lesson's world, and comes back as it was", async 
   expect(matFile({ ...MAT, title: "世界" }, []).name).toBe("mat.json");
   const dark = { ...MAT, camera: false };
   expect(readWorld(JSON.parse(matFile(dark, []).text)).camera).toBe(false);
+  const slips = { ...dark, odometry: { drift_deg_s: -0.3, slip: 0.05 } };
+  expect(readWorld(JSON.parse(matFile(slips, []).text)).odometry).toEqual(slips.odometry);
 });
 
 test("a file that holds no mat is refused in plain words", async () => {

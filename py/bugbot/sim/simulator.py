@@ -51,8 +51,10 @@ class Simulator:
         self.y = self.start_y = stored(world.start.y)
         self.heading = wrap_heading(stored(world.start.heading))
         self.camera = world.camera
-        self.odometry = Odometry(self.heading, seed)
+        self.odometry = Odometry(self.heading, seed, world.odometry.drift_deg_s)
         self.ever_driven = False
+        self._turn_scale = world.odometry.turn_scale
+        self._grip = 1.0 - world.odometry.slip
         self._boxes = boxes_of(world)
         self._trace = trace
         self._chance = generator(seed, "depth")
@@ -97,12 +99,13 @@ class Simulator:
             now = end if step == steps else stored(begin + step * STEP_S)
             length = now - before
             # From the start of this stretch, so that rounding does not add up: turn(90) is exact.
-            next_heading = stored(begin_heading + spin * (now - begin))
+            next_heading = stored(begin_heading + self._turn_scale * spin * (now - begin))
             blocked = False
             if ahead or aside:
                 sin_h, cos_h = exact_direction((heading + next_heading) / 2)
-                dx = (ahead * sin_h + aside * cos_h) * length
-                dy = (ahead * cos_h - aside * sin_h) * length
+                walked = self._grip * length
+                dx = (ahead * sin_h + aside * cos_h) * walked
+                dy = (ahead * cos_h - aside * sin_h) * walked
                 blocked = self._move(dx, dy, now)
             self.odometry.step(ahead * length, aside * length, next_heading - heading, length)
             heading = next_heading

@@ -12,6 +12,8 @@ A world's file holds exactly what `World` holds:
     start        {x, y, heading} of the robot [cm, degrees clockwise from up the mat]
     camera       may be left out: false if no camera watches the mat, so that position() and
                  heading() are refused and odometry() is all that a program has
+    odometry     may be left out: how this robot's motion and its belief differ from what it is told
+                 {drift_deg_s, turn_scale, slip}, each of which may be left out (`Errors`)
 
 Texts are one line of at most 300 characters, and obstacles at most 200. The site's world editor
 writes such files and reads them by the same rules (site/src/page/mats/check-world.ts).
@@ -29,7 +31,7 @@ from typing import Any, NoReturn
 from bugbot.errors import WorldError, got, nearest
 from bugbot.frames import MAT_CM, ROBOT_RADIUS_CM, wrap_heading
 
-__all__ = ["Obstacle", "Start", "World", "load", "names"]
+__all__ = ["Errors", "Obstacle", "Start", "World", "load", "names"]
 
 _FOLDER = Path(__file__).parent
 
@@ -68,6 +70,32 @@ class Start:
 
 
 @dataclass(frozen=True, slots=True)
+class Errors:
+    """How the robot of a world differs from an ideal one.
+
+    drift_deg_s  its gyro's drift, clockwise positive [degrees/s], -1 to 1; None: the run's seed says
+    turn_scale   a turn that it is told to make comes out so many times as large, 0.5 to 1.5
+    slip         the share of a way by which its feet fall short, 0 to 0.5
+
+    Turns and ways are wrong *in truth*. The gyro feels the true turn, and adds its drift. The feet
+    don't notice that they slip, so odometry() counts the way that they were told to walk.
+    """
+
+    drift_deg_s: float | None = None
+    turn_scale: float = 1.0
+    slip: float = 0.0
+
+    def to_dict(self) -> dict[str, float]:
+        """What is not as an ideal robot has it."""
+        said = {} if self.drift_deg_s is None else {"drift_deg_s": self.drift_deg_s}
+        if self.turn_scale != 1.0:
+            said["turn_scale"] = self.turn_scale
+        if self.slip != 0.0:
+            said["slip"] = self.slip
+        return said
+
+
+@dataclass(frozen=True, slots=True)
 class World:
     """A mat with its obstacles, the robot's start, and usually a camera above."""
 
@@ -77,12 +105,17 @@ class World:
     obstacles: tuple[Obstacle, ...]
     start: Start
     camera: bool = True
+    odometry: Errors = Errors()  # noqa: RUF009 - it is frozen
 
     def to_dict(self) -> dict[str, Any]:
         """The world as its JSON file holds it."""
         data = {**asdict(self), "obstacles": [asdict(each) for each in self.obstacles]}
+        # Left out as in nearly every world, and in files written before they could be said.
         if self.camera:
-            del data["camera"]  # as nearly every world, and as files written before it could be
+            del data["camera"]
+        data["odometry"] = self.odometry.to_dict()
+        if not data["odometry"]:
+            del data["odometry"]
         return data
 
     @classmethod
@@ -90,7 +123,10 @@ class World:
         """Check the data of a JSON file; WorldError names `source`, the field and the remedy."""
         check = _Checker(source)
         fields = check.fields(
-            data, "", ("name", "title", "description", "obstacles", "start"), ("camera",)
+            data,
+            "",
+            ("name", "title", "description", "obstacles", "start"),
+            ("camera", "odometry"),
         )
         words = [check.text(fields[key], key) for key in ("name", "title", "description")]
         if not isinstance(fields["obstacles"], list):
@@ -106,7 +142,8 @@ class World:
         camera = fields.get("camera", True)
         if not isinstance(camera, bool):
             check.refuse("camera", "wants true or false", camera)
-        return cls(words[0], words[1], words[2], obstacles, start, camera)
+        errors = check.errors(fields.get("odometry", {}))
+        return cls(words[0], words[1], words[2], obstacles, start, camera, errors)
 
 
 def names() -> list[str]:
@@ -165,7 +202,7 @@ class _Checker:
         self, data: object, at: str, wanted: tuple[str, ...], allowed: tuple[str, ...] = ()
     ) -> dict[str, Any]:
         if not isinstance(data, dict):
-            self.refuse(at, f"wants an object with {', '.join(wanted)}", data)
+            self.refuse(at, f"wants an object with {', '.join(wanted or allowed)}", data)
         missing = [key for key in wanted if key not in data]
         strange = [str(key) for key in data if key not in (*wanted, *allowed)]
         place = f"{at}." if at else ""
@@ -218,3 +255,12 @@ class _Checker:
                     f"{ROBOT_RADIUS_CM:g} cm)"
                 )
         return Start(x, y, wrap_heading(heading))
+
+    def errors(self, data: object) -> Errors:
+        fields = self.fields(data, "odometry", (), ("drift_deg_s", "turn_scale", "slip"))
+        drift = None
+        if "drift_deg_s" in fields:
+            drift = self.number(fields["drift_deg_s"], "odometry.drift_deg_s", -1, 1)
+        turn_scale = self.number(fields.get("turn_scale", 1), "odometry.turn_scale", 0.5, 1.5)
+        slip = self.number(fields.get("slip", 0), "odometry.slip", 0, 0.5)
+        return Errors(drift, turn_scale, slip)

@@ -158,6 +158,15 @@ export interface World {
   start: { x: number; y: number; heading: number };
   /** false: no camera tells the program the robot's pose; left out where there is one. */
   camera?: boolean;
+  /** How the robot differs from an ideal one; left out where it does not. */
+  odometry?: OdometryErrors;
+}
+
+/** As `Errors` of `py/bugbot/worlds`: what is left out is as an ideal robot has it. */
+export interface OdometryErrors {
+  drift_deg_s?: number;
+  turn_scale?: number;
+  slip?: number;
 }
 
 export interface Header {

@@ -279,3 +279,46 @@ def test_turning_on_the_spot_moves_nothing_in_its_belief() -> None:
     sim.drive(0, 0, 100)
     sim.advance(3)
     assert (sim.odometry.x, sim.odometry.y) == (0, 0)
+
+
+# -- worlds in which turns and ways come out wrong ---------------------------------------
+
+
+def faulty(**errors: float) -> World:
+    return World.from_dict({**worlds.load("empty").to_dict(), "odometry": errors})
+
+
+def test_turns_come_out_short_in_truth_and_the_gyro_feels_it() -> None:
+    sim, _ = simulator(faulty(turn_scale=0.9, drift_deg_s=0.0))
+    begin = sim.heading
+    sim.drive(0, 0, 50)  # 60 degrees a second are wanted
+    sim.advance(2)
+    assert turn_between(begin, sim.heading) == pytest.approx(108)
+    assert sim.odometry.heading == pytest.approx(sim.heading)
+
+
+@pytest.mark.parametrize("drift", [-0.35, 0.0, 0.1])
+def test_a_worlds_drift_takes_the_place_of_the_seeds(drift: float) -> None:
+    for seed in (1, 2):
+        sim, _ = simulator(faulty(drift_deg_s=drift), seed)
+        sim.advance(20)
+        assert turn_between(sim.heading, sim.odometry.heading) == pytest.approx(20 * drift)
+
+
+def test_feet_that_slip_fall_short_in_truth_and_do_not_know_it() -> None:
+    sim, _ = simulator(faulty(slip=0.2, drift_deg_s=0.0))
+    begin = sim.x, sim.y
+    sim.drive(0, 100, 0)
+    sim.advance(4)
+    assert hypot(sim.x - begin[0], sim.y - begin[1]) == pytest.approx(0.8 * 46)
+    assert hypot(sim.odometry.x, sim.odometry.y) == pytest.approx(46, rel=0.08)
+
+
+def test_a_world_without_errors_moves_its_robot_to_the_last_bit_as_before() -> None:
+    plain, said = simulator("empty", 5), simulator(faulty(turn_scale=1.0, slip=0.0), 5)
+    for sim, _ in (plain, said):
+        sim.drive(70, 20, 30)
+        sim.advance(7.3)
+        sim.scan()
+    assert plain[1].events == said[1].events
+    assert (plain[0].odometry.x, plain[0].odometry.y) == (said[0].odometry.x, said[0].odometry.y)

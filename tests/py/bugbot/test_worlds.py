@@ -132,7 +132,7 @@ def _with(value: Any, *path: Any) -> dict[str, Any]:
         (
             _with(1, "colour"),
             "w.json: colour is not a field here; "
-            "the fields are name, title, description, obstacles, start, camera",
+            "the fields are name, title, description, obstacles, start, camera, odometry",
         ),
         (_with("  ", "title"), "w.json: title wants a text that is not empty; it got '  '"),
         (_with("no", "camera"), "w.json: camera wants true or false; it got 'no'"),

@@ -12,6 +12,7 @@ import pytest
 from bugbot import worlds
 from bugbot.run import run_program
 from bugbot.trace import Trace
+from bugbot.worlds import World
 from grader.failures import CheckFailed
 from grader.runs import Run
 from grader.traces import trace_from
@@ -49,6 +50,26 @@ def test_an_honest_run_is_believed(name: str, world: str) -> None:
     trace = run_program("from bugbot import *\n" + DRIVES[name], world, 3)
     assert next(trace.of_kind("end"))["status"] == "finished"
     assert doubt(trace, worlds.load(world)) is None
+
+
+ERRORS = World.from_dict(
+    {**WORLD.to_dict(), "odometry": {"drift_deg_s": -0.3, "turn_scale": 1.3, "slip": 0.2}}
+)
+
+
+@pytest.mark.parametrize("name", DRIVES)
+def test_an_honest_run_of_a_robot_with_errors_is_believed(name: str) -> None:
+    trace = run_program("from bugbot import *\n" + DRIVES[name], ERRORS, 3)
+    assert doubt(trace, ERRORS) is None
+
+
+def test_what_one_robot_can_do_is_too_fast_for_another() -> None:
+    slower = World.from_dict({**WORLD.to_dict(), "odometry": {"turn_scale": 0.9, "slip": 0.1}})
+    for program in ("right(100)\nwait(1)", "drive(100, 100, 0)\nwait(1)"):
+        trace = run_program(f"from bugbot import *\n{program}", WORLD, 3)
+        found = doubt(trace, slower)
+        assert found is not None
+        assert found[0].startswith("the robot is somewhere it can't have")
 
 
 def honest() -> Trace:

@@ -4,7 +4,7 @@
  *
  * What comes in may be anything, from a link or a file of somebody else's. May import `trace`.
  */
-import type { Obstacle, World } from "../../trace/events.ts";
+import type { Obstacle, OdometryErrors, World } from "../../trace/events.ts";
 import { MAT_CM, ROBOT_RADIUS_CM, wrapHeading } from "../../trace/frames.ts";
 
 /** The most obstacles of a world. */
@@ -39,7 +39,7 @@ export function readWorld(data: unknown): World {
 /** The same for a world that is being made: the robot may still stand in something. */
 export function readDraft(data: unknown): World {
   const wanted = ["name", "title", "description", "obstacles", "start"];
-  const fields = fieldsOf(data, "", wanted, ["camera"]);
+  const fields = fieldsOf(data, "", wanted, ["camera", "odometry"]);
   const [name, title, description] = ["name", "title", "description"].map((key) =>
     text(fields[key], key),
   ) as [string, string, string];
@@ -53,7 +53,16 @@ export function readDraft(data: unknown): World {
   const start = startOf(fields.start);
   const { camera = true } = fields;
   if (typeof camera !== "boolean") refuse("camera", "wants true or false", camera);
-  return { name, title, description, obstacles, start, ...(camera ? {} : { camera: false }) };
+  const odometry = errorsOf(fields.odometry === undefined ? {} : fields.odometry);
+  return {
+    name,
+    title,
+    description,
+    obstacles,
+    start,
+    ...(camera ? {} : { camera: false }),
+    ...(Object.keys(odometry).length ? { odometry } : {}),
+  };
 }
 
 /** Distance [cm] from a point to a rectangle; 0 inside it. */
@@ -85,9 +94,21 @@ function startOf(data: unknown): World["start"] {
   return { x, y, heading: wrapHeading(number(fields.heading, "start.heading", -360, 360)) };
 }
 
+/** The robot's errors, without those that an ideal robot has as well. */
+function errorsOf(data: unknown): OdometryErrors {
+  const fields = fieldsOf(data, "odometry", [], ["drift_deg_s", "turn_scale", "slip"]);
+  const { drift_deg_s: drift, turn_scale: scale = 1, slip = 0 } = fields;
+  const errors: OdometryErrors = {};
+  if (drift !== undefined) errors.drift_deg_s = number(drift, "odometry.drift_deg_s", -1, 1);
+  if (number(scale, "odometry.turn_scale", 0.5, 1.5) !== 1) errors.turn_scale = Number(scale);
+  if (number(slip, "odometry.slip", 0, 0.5) !== 0) errors.slip = Number(slip);
+  return errors;
+}
+
 function fieldsOf(data: unknown, at: string, wanted: string[], allowed: string[] = []): Fields {
   if (typeof data !== "object" || data === null || Array.isArray(data)) {
-    return refuse(at, `wants an object with ${wanted.join(", ")}`, data);
+    const names = wanted.length ? wanted : allowed;
+    return refuse(at, `wants an object with ${names.join(", ")}`, data);
   }
   const place = at && `${at}.`;
   const missing = wanted.find((key) => !Object.hasOwn(data, key));

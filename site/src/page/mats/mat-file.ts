@@ -88,7 +88,8 @@ function fileName(title: string, taken: readonly string[]): string {
 }
 
 /** In the shape of the files that come with bugbot: a line for each obstacle. */
-function worldText({ name, title, description, obstacles, start, camera }: World): string {
+function worldText(mat: World): string {
+  const { name, title, description, obstacles, start, camera, odometry } = mat;
   const text = JSON.stringify;
   const box = ({ x, y, width, height, name: word }: Obstacle) => ({
     x,
@@ -104,7 +105,7 @@ function worldText({ name, title, description, obstacles, start, camera }: World
   "title": ${text(title)},
   "description": ${text(description)},
   "obstacles": [${list && `\n${list}\n  `}],
-  "start": ${line({ x: start.x, y: start.y, heading: start.heading })}${camera === false ? ',\n  "camera": false' : ""}
+  "start": ${line({ x: start.x, y: start.y, heading: start.heading })}${camera === false ? ',\n  "camera": false' : ""}${odometry ? `,\n  "odometry": ${line(odometry)}` : ""}
 }
 `;
 }
