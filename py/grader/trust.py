@@ -7,8 +7,8 @@ A program that gets behind the robot's calls can put the robot anywhere, take th
 off its sensor, or write a trace of its own. None of that goes unseen:
 
 * The robot starts where the world says, is never nearer to anything than its radius, and moves
-  and turns no faster than it can in that world. A moving robot is recorded every 0.04 s, so it can't
-  jump through a wall between two records.
+  and turns no faster than it can in that world. A moving robot is recorded every 0.04 s, so it
+  can't jump through a wall between two records.
 * Each reading is the one that the simulator gives at that place with this seed. The noise comes
   from one generator, so the readings can simply be made once more.
 """

@@ -73,7 +73,7 @@ class Start:
 class Errors:
     """How the robot of a world differs from an ideal one.
 
-    drift_deg_s  its gyro's drift, clockwise positive [degrees/s], -1 to 1; None: the run's seed says
+    drift_deg_s  its gyro's drift, clockwise positive [degrees/s], -1 to 1; None: as the seed has it
     turn_scale   a turn that it is told to make comes out so many times as large, 0.5 to 1.5
     slip         the share of a way by which its feet fall short, 0 to 0.5
 
@@ -105,7 +105,7 @@ class World:
     obstacles: tuple[Obstacle, ...]
     start: Start
     camera: bool = True
-    odometry: Errors = Errors()  # noqa: RUF009 - it is frozen
+    odometry: Errors = Errors()
 
     def to_dict(self) -> dict[str, Any]:
         """The world as its JSON file holds it."""
