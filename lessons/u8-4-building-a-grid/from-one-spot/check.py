@@ -1,11 +1,11 @@
-"""A map from one spot, on the mat of the page and on mats nobody has seen."""
+"""A map from one spot: rooms that nobody has seen, one beam by itself, and the clamp."""
 
-from grader import check
-from mapping.beam import Weights, passed_by_bresenham, passed_by_steps
+from grader import check, function
+from mapping.beam import Weights, passed_by_steps
+from mapping.mapper import Mapper
 
-
-def whole_cells(x, y, angle, length, cell):
-    return passed_by_steps(x, y, angle, length, cell)[::2][: int(length / cell)]
+KNOWN = 1
+L_MAX = 8
 
 
 def into_the_hit(x, y, angle, length, cell):
@@ -57,11 +57,6 @@ SLIPS = [
         ),
     ),
     slip(
-        "whole-cell steps: a step of CELL jumps over corners; go by half cells",
-        0,
-        passed_by=whole_cells,
-    ),
-    slip(
         "the hit cell is marked free as well: stop one cell short of the hit",
         0,
         passed_by=into_the_hit,
@@ -84,13 +79,47 @@ SLIPS = [
 ]
 
 
+BEAM = (152.5, 182.5, 90, 27.0)
+"""Along a row of cells, where the map of no room knows anything. Five cells, and the hit in a
+sixth: whichever way the cells of a beam are listed, they are the same."""
+
+add_beam = function("add_beam(x, y, angle, reading)", lambda *_: None, compare=lambda *_: True)
+
+
+def after(beams):
+    """The cells round that beam after so many times of it; None for all others."""
+    mapper = Mapper(5)
+    for _ in range(beams):
+        mapper.add_beam(*BEAM)
+    near = {row * 40 + column for row in (35, 36, 37) for column in range(29, 38)}
+    return [each if cell in near else None for cell, each in enumerate(mapper.grid.cells)]
+
+
+def says_the_same(wanted, got):
+    """The same evidence for floor and wall, however often a rule names the cells on the way."""
+    if isinstance(wanted, list):
+        sound = isinstance(got, list | tuple) and len(got) == len(wanted)
+        return sound and all(says_the_same(*pair) for pair in zip(wanted, got, strict=True))
+    if wanted is None:
+        return True
+    if isinstance(got, bool) or not isinstance(got, int | float):
+        return False
+    if wanted == 0:
+        return got == 0
+    if abs(wanted) == L_MAX:
+        return 5 <= got * wanted / L_MAX <= L_MAX + 1e-9
+    return 0.6 <= got <= 1.2 if wanted > 0 else -2 <= got <= -0.2
+
+
 def mapped_well(task, world, seed, known):
     run = task.run(world, seed=seed, seconds=30, mistakes=SLIPS)
-    drawn = run.map()
-    drawn.cells_of(5).known(at_least=known).wrong_walls(at_most=4)
-    # Either way to list the cells of a beam will do.
-    said = (run.mapped(), run.mapped(passed_by=passed_by_bresenham))
-    drawn.agrees(max(said, key=drawn.agreement), at_least=95)
+    drawn = run.map(known=KNOWN)
+    drawn.cells_of(5).known(at_least=known).wrong_walls(at_most=4).wrong_floor(at_most=1)
+    # Limits with room for every sound rule: lessons/README.md, "How maps are judged".
+    drawn.walls_found(at_least=45).plain(floor_at_least=94, walls_at_least=85)
+    if "occupied" in run.layers(0.05):
+        # After one look few cells can be known: a hit or two half-cell steps are less than KNOWN.
+        run.map(at=0.05, known=KNOWN).unsupported_cells(at_most=50)
 
 
 @check("The room of the page, with other noise", hint=0)
@@ -100,9 +129,18 @@ def same_room(task):
 
 @check("A den, the robot facing right", hint=1)
 def den(task):
-    mapped_well(task, "den", 32, known=60)
+    mapped_well(task, "den", 32, known=58)
 
 
 @check("A stock room, the robot facing down and left", hint=1)
 def stock_room(task):
     mapped_well(task, "stock-room", 33, known=47)
+
+
+@check("One beam by itself, and the clamp", hint=0)
+def one_beam(task):
+    task.call(add_beam, *BEAM)
+    task.variable("log_odds", gives=after(1), compare=says_the_same)
+    for _ in range(40):
+        task.call(add_beam, *BEAM)
+    task.variable("log_odds", gives=after(41), compare=says_the_same)

@@ -1,7 +1,8 @@
 """A map from a robot that drives a circle, on the mat of the page and on hidden ones."""
 
 from grader import check
-from mapping.beam import passed_by_bresenham
+
+KNOWN = 1
 
 
 def slip(said, hint, seen_as):
@@ -58,11 +59,10 @@ SLIPS = [
 def mapped_well(task, world, seed, known):
     run = task.run(world, seed=seed, seconds=40, mistakes=SLIPS)
     run.scanned(at_least=60).visits(lambda x, y: x > 115, "the far side of the circle")
-    drawn = run.map()
-    drawn.cells_of(5).known(at_least=known).wrong_walls(at_most=4)
-    # Either way to list the cells of a beam will do.
-    said = (run.mapped(), run.mapped(passed_by=passed_by_bresenham))
-    drawn.agrees(max(said, key=drawn.agreement), at_least=95)
+    drawn = run.map(known=KNOWN)
+    drawn.cells_of(5).known(at_least=known).wrong_walls(at_most=4).wrong_floor(at_most=1)
+    # Limits with room for every sound rule: lessons/README.md, "How maps are judged".
+    drawn.walls_found(at_least=60).plain(floor_at_least=92, walls_at_least=90)
 
 
 @check("The ring of the page, with other noise", hint=0)

@@ -1,4 +1,4 @@
-# earns: whole-cell steps
+# earns: cells that are plainly wall
 # A map from one spot
 #
 # The robot turns on the spot in a corner of the mat.
@@ -25,7 +25,7 @@ def add_beam(x, y, angle, reading):
     """Add what one beam says to log_odds."""
     dx = math.sin(math.radians(angle))
     dy = math.cos(math.radians(angle))
-    step = CELL
+    step = CELL / 2
     clear = reading - CELL if reading < FAR else FAR
     evidence = [(i * step, L_FREE) for i in range(int(clear / step))]
     if reading < FAR:
@@ -48,8 +48,9 @@ def look():
 def show():
     """Draw the map, and plot how much of it is known."""
     cells = range(len(log_odds))
-    free = [centre(cell) for cell in cells if log_odds[cell] < -KNOWN]
-    occupied = [centre(cell) for cell in cells if log_odds[cell] > KNOWN]
+    near = [cell for cell in cells if math.dist(centre(cell), START) < 50]
+    free = [centre(cell) for cell in cells if log_odds[cell] < -KNOWN or cell in near]
+    occupied = [centre(c) for c in cells if log_odds[c] > KNOWN and c not in near]
     draw("free", free, "#9ecae1", "squares", CELL)
     draw("occupied", occupied, "black", "squares", CELL)
     plot("known %", 100 * (len(free) + len(occupied)) / len(log_odds))
