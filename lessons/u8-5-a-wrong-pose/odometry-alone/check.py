@@ -1,8 +1,17 @@
-"""A map of dark rooms by odometry and scans alone: the drift that is found, the map's score."""
+"""A map of dark rooms by odometry and scans alone: the drift that is found, the map's score.
+
+The gyros of the rooms drift to both sides, some hardly and some a lot, and their robots turn more or
+less than they are told: what was told says nothing of the drift, only what was seen does.
+"""
 
 from grader import check
 
-SECONDS = 48
+SECONDS, BETWEEN_LOOKS = 48, 0.15
+TOLD = 30
+"""So fast the robot is told to turn [degrees/s]."""
+
+OFF_BY_CM = 10
+"""So far the corrected poses may be off: the feet slip, and a drift of 0.06 is 3 degrees in the end."""
 
 
 def found(run):
@@ -10,13 +19,28 @@ def found(run):
 
 
 def near_drift(run, times):
-    return abs(found(run) - times * run.drift) < 0.06 * abs(times)
+    return abs(found(run) - times * run.drift) < 0.08 * abs(times)
+
+
+def believed_turning(run):
+    """How much faster the gyro says it turned than the robot was told [degrees/s]."""
+    turned, before = 0.0, run.path[0]
+    for pose in run.path[1:]:
+        turned += (pose[3] - before[3] + 180) % 360 - 180
+        before = pose
+    return turned / SECONDS + run.drift - TOLD
 
 
 SLIPS = [
     (
         "no drift has been found: find_rate() says 0, and the map is as odometry has it",
         lambda run: abs(found(run)) < 0.01,
+        0,
+    ),
+    (
+        "that is how much faster the robot turned than it was told: but it does not turn exactly as "
+        "it is told, and only what it has seen shows the drift",
+        lambda run: abs(found(run) - believed_turning(run)) < 0.1,
         0,
     ),
     (
@@ -32,8 +56,8 @@ SLIPS = [
     ),
     (
         "that is the drift from one look to the next: "
-        "looks are 0.2 s apart, and the rate is per second",
-        lambda run: abs(found(run) - 0.2 * run.drift) < 0.012,
+        "looks are 0.15 s apart, and the rate is per second",
+        lambda run: abs(found(run) - BETWEEN_LOOKS * run.drift) < 0.006 and abs(run.drift) > 0.14,
         0,
     ),
     (
@@ -53,7 +77,7 @@ UNUSED = [
     ),
     (
         "the drift is found, but the map still has it: its poses are not the corrected ones",
-        lambda run: near_drift(run, 1),
+        lambda run: near_drift(run, 1) and run.map().score.wrong_walls_percent > 15,
         2,
     ),
 ]
@@ -61,9 +85,10 @@ UNUSED = [
 
 def mapped_well(task, world, seed):
     run = task.run(world, seed=seed, seconds=90, mistakes=SLIPS)
-    task.near(found(run), run.drift, 0.06, "the drift in degrees/s", run=run)
-    drawn = task.run(world, seed=seed, seconds=90, mistakes=UNUSED).map()
-    drawn.cells_of(5).known(at_least=65).wrong_walls(at_most=4)
+    task.near(found(run), run.drift, 0.08, "the drift in degrees/s", run=run)
+    drawn = task.run(world, seed=seed, seconds=90, mistakes=UNUSED).map(off_by=OFF_BY_CM)
+    drawn.cells_of(5).known(at_least=65).wrong_walls(at_most=6).wrong_floor(at_most=2)
+    drawn.walls_found(at_least=60)
 
 
 @check("The hall at night, with other noise", hint=0)
@@ -74,3 +99,18 @@ def hall(task):
 @check("A cellar", hint=1)
 def cellar(task):
     mapped_well(task, "cellar", 72)
+
+
+@check("An attic", hint=1)
+def attic(task):
+    mapped_well(task, "attic", 73)
+
+
+@check("A store room", hint=1)
+def store_room(task):
+    mapped_well(task, "store-room", 74)
+
+
+@check("A crypt", hint=1)
+def crypt(task):
+    mapped_well(task, "crypt", 75)

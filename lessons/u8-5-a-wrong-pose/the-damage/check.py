@@ -1,6 +1,6 @@
 """A run's own looks with a drift put in: what is wrong with each map is worked out anew here."""
 
-from grader import check
+from grader import check, function, near
 from mapping.frontiers import known_states
 from mapping.mapper import Mapper
 from mapping.score import score
@@ -58,6 +58,35 @@ SLIPS = [
         lambda i, t: sum(DRIFTS[: i + 1]) * t,
     ),
 ]
+
+
+drifted = function(
+    "drifted(looks, rate)",
+    lambda looks, rate: [(t, facing + rate * t, readings) for t, facing, readings in looks],
+    compare=near(1e-6),
+    mistakes=[
+        (
+            "a drift grows with time: after t seconds it is rate * t",
+            lambda looks, rate: [(t, facing + rate, readings) for t, facing, readings in looks],
+            0,
+        ),
+        (
+            "the drift has the wrong sign: it is added to the heading",
+            lambda looks, rate: [(t, facing - rate * t, rest) for t, facing, rest in looks],
+            0,
+        ),
+    ],
+)
+
+
+@check("Looks with a drift to either side", hint=1)
+def either_side(task):
+    looks = [
+        [t, task.random.uniform(0, 360), [[-19.6875, 80.5], [2.8125, 200.0]]] for t in (0, 2, 5.5)
+    ]
+    for rate in (-0.7, 0, 1.25):
+        task.call(drifted, looks, rate)
+    task.call(drifted, [], 1)
 
 
 @check("The damage for each drift", hint=2)

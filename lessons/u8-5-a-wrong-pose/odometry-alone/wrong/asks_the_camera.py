@@ -97,9 +97,9 @@ def show(poses, looks):
 
 looks = []  # time, x, y, heading as odometry has them, and the scan
 drive(100, 0, 25)
-for tick in range(240):  # 48 seconds, four times round the ring
+for tick in range(320):  # 48 seconds, four times round the ring
     looks.append((clock(), *odometry(), scan()))
-    wait(0.2)
+    wait(0.15)
 stop()
 
 rate = find_rate(looks)

@@ -24,7 +24,7 @@ START = (72, 100)  # where it starts; odometry() counts from there
 def find_rate(looks):
     """How fast the believed heading drifts, in degrees/s."""
     rates = [i * 0.02 for i in range(-20, 21)]
-    return 0.2 * min(rates, key=lambda rate: len(walls_of(corrected(looks, rate), looks)))
+    return 0.15 * min(rates, key=lambda rate: len(walls_of(corrected(looks, rate), looks)))
 
 
 def corrected(looks, rate):
@@ -96,9 +96,9 @@ def show(poses, looks):
 
 looks = []  # time, x, y, heading as odometry has them, and the scan
 drive(100, 0, 25)
-for tick in range(240):  # 48 seconds, four times round the ring
+for tick in range(320):  # 48 seconds, four times round the ring
     looks.append((clock(), *odometry(), scan()))
-    wait(0.2)
+    wait(0.15)
 stop()
 
 rate = find_rate(looks)
