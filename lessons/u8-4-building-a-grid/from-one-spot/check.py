@@ -76,6 +76,16 @@ SLIPS = [
         2,
         known=0.001,
     ),
+    (
+        "not one cell is black: those above KNOWN belong into the layer occupied",
+        lambda run: run.map().score.occupied == 0,
+        2,
+    ),
+    (
+        "there is no unknown cell: what is between -KNOWN and KNOWN belongs into neither layer",
+        lambda run: run.map().score.free + run.map().score.occupied == run.map().score.cells,
+        2,
+    ),
 ]
 
 

@@ -1,4 +1,4 @@
-# earns: cells that are plainly wall
+# earns: of 42 are not
 # A map from one spot
 #
 # The robot turns on the spot in a corner of the mat.

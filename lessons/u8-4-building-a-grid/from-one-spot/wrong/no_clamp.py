@@ -1,4 +1,4 @@
-# earns: log_odds is item
+# earns: it is -16
 # A map from one spot
 #
 # The robot turns on the spot in a corner of the mat.

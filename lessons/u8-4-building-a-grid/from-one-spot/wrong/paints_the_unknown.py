@@ -1,4 +1,4 @@
-# earns: inside something solid
+# earns: there is no unknown cell
 # A map from one spot
 #
 # The robot turns on the spot in a corner of the mat.
