@@ -17,6 +17,7 @@ from grader.declare import Scoring
 from grader.failures import AuthorError, CheckFailed, ProgramFailed
 from grader.maps import Map
 from grader.runs import Run
+from mapping.reasons import Untrue
 
 __all__ = ["Trial"]
 
@@ -159,14 +160,22 @@ class Trial:
             )
         return self
 
-    def says_why(self, after: str) -> Trial:
-        """Expect the program to print, after this text, why it stops."""
+    def says_why(
+        self, after: str, holds: Callable[[str, Run, Map], Untrue | None] | None = None
+    ) -> Trial:
+        """Expect the program to print, after this text, why it stops.
+
+        holds  (what it said, run, map) -> None, or what is not so: a reason has to be true as well
+        """
         said = [line.split(after, 1)[1] for line in self.run.console.splitlines() if after in line]
         reasons = [each.strip(" :") for each in said if each.strip(" :")]
-        if reasons:
-            self._why = reasons[-1]
-        else:
+        if not reasons:
             self._expect(lambda run: _unsaid(run, after))
+            return self
+        why = self._why = reasons[-1]
+        drawn = self.drawn
+        if holds is not None and drawn is not None and self.run.ending.kind == "finished":
+            self._expect(lambda run: _must_hold(run, drawn, why, holds(why, run, drawn)))
         return self
 
     # -- for the judge -----------------------------------------------------------
@@ -298,3 +307,14 @@ def _or(limit: float | None, otherwise: float) -> float:
 
 def _unsaid(run: Run, after: str) -> None:
     raise run.failure(f"a printed line that says why it stops, after {after!r}", run.last_printed)
+
+
+def _must_hold(run: Run, drawn: Map, why: str, wrong: Untrue | None) -> None:
+    if wrong is not None:
+        raise run.failure(
+            f"a reason that is true: {wrong.wanted}",
+            f'"{why[:80]}", but {wrong.found}',
+            cells=[drawn.grid.cell(index) for index in wrong.cells],
+            cell_cm=drawn.grid.cell_cm,
+            seconds=run.seconds,
+        )

@@ -267,6 +267,24 @@ def test_why_it_stops_is_what_is_printed_after_the_words(said: str, why: str) ->
     assert [each["why"] for each in mark["results"]] == [why, why]
 
 
+def test_a_reason_has_to_hold_if_the_check_asks_whether_it_does() -> None:
+    asks = FIGURES.replace(
+        'says_why(after="stops:")',
+        """says_why(after="stops:", holds=lambda said, run, drawn:
+            None if said == "x" else Untrue("x", f"{said} at {run.seconds:g} s", (60,)))""",
+    ).replace(
+        "from grader import check", "from grader import check\nfrom mapping.reasons import Untrue"
+    )
+    assert marked(asks, drawn())["passed"]
+    first = failed(marked(asks, drawn().replace("stops: x", "stops: lunch")))
+    assert first["expected"] == "a reason that is true: x"
+    assert first["got"] == '"lunch", but lunch at 0 s (seed 1)'
+    assert first["where"]["cells"] == [[20, 1]]
+    # Without a map, and of a run that broke off, there is nothing to hold it against.
+    crashed = marked(asks, drawn().replace("stops: x", "stops: lunch") + "1 / 0")
+    assert "ZeroDivisionError" in failed(crashed)["got"]
+
+
 def test_a_figure_that_can_not_be_had_fails_its_trial() -> None:
     asks = FIGURES.replace("run.pose_at(9)[0]", 'run.line("known %").end')
     mark = marked(asks, drawn())
