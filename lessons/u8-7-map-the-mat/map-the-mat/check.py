@@ -61,6 +61,12 @@ def still_percent(run):
     return 100 * still / max(1, run.seconds)
 
 
+def knows_little(run, known):
+    """Whether its map leaves much unknown that is not just left out of the drawing."""
+    drawn = run.map(known=KNOWN)
+    return drawn.score.known_percent < known and drawn.walls_found_percent > 65
+
+
 def mistakes(known, seconds):
     """What can be told for certain of a run that is outside its limits."""
     return [
@@ -70,9 +76,14 @@ def mistakes(known, seconds):
             0,
         ),
         (
+            "not one cell is black: the cells above KNOWN are walls",
+            lambda run: run.map().score.occupied == 0,
+            0,
+        ),
+        (
             "it stopped too soon: look at the frontier cells that are left, and ask why it "
             "leaves them",
-            lambda run: run.map(known=KNOWN).known_percent < known and run.seconds < seconds,
+            lambda run: knows_little(run, known) and run.seconds < seconds,
             1,
         ),
         (
