@@ -75,6 +75,13 @@ drifted = function(
             lambda looks, rate: [(t, facing - rate * t, rest) for t, facing, rest in looks],
             0,
         ),
+        (
+            "the rate is per second, not per look: each look brings its own time",
+            lambda looks, rate: [
+                (t, facing + rate * i, rest) for i, (t, facing, rest) in enumerate(looks)
+            ],
+            0,
+        ),
     ],
 )
 
