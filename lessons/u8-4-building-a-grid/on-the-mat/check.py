@@ -2,7 +2,7 @@
 
 from math import cos, hypot, radians, sin
 
-from grader import check
+from grader import calls, check, lacks, mistake
 
 
 def pose(run, scan):
@@ -13,14 +13,20 @@ def trail(run, seen_as=pose):
     return [seen_as(run, scan)[:2] for scan in run.scans]
 
 
-def walls(run, seen_as=pose, turned=radians, far=170):
+def walls(run, seen_as=pose, turned=radians, far=170, which=slice(None), from_robot=1, up=1, fan=1):
     dots = []
     for scan in run.scans:
         x, y, facing = seen_as(run, scan)
+        found = []
         for angle, reading in scan.beams:
             if reading < far:
-                way = turned(facing + angle)
-                dots.append((x + reading * sin(way), y + reading * cos(way)))
+                way = turned(facing + fan * angle)
+                end = (
+                    from_robot * x + reading * sin(way),
+                    from_robot * y + up * reading * cos(way),
+                )
+                found.append(end)
+        dots += found[which]
     return dots
 
 
@@ -36,6 +42,12 @@ def slip(said, hint, **how):
 
 
 SLIPS = [
+    mistake(
+        "odometry() is what the robot believes, and it drifts: position() says where it is",
+        lambda run: not alike(run.layer("trail"), trail(run)),
+        0,
+        where=(calls("odometry"), lacks(calls("position"))),
+    ),
     (
         "no time passes, so the robot never moves: the loop needs its wait(0.1)",
         lambda run: run.seconds < 1,
@@ -57,23 +69,41 @@ SLIPS = [
         seen_as=lambda run, scan: (run.start.x, run.start.y, run.start.heading),
     ),
     slip(
+        "heading() was added twice: facing is the heading already",
+        1,
+        seen_as=lambda run, scan: (scan.x, scan.y, 2 * scan.heading),
+    ),
+    slip(
+        "the beams start at the robot: add its x and y to where each of them ends",
+        1,
+        from_robot=0,
+    ),
+    slip("only the first beam of each scan got a dot: go through all eight", 2, which=slice(1)),
+    slip(
+        "only the last beam of each scan got a dot: append() belongs inside the loop",
+        2,
+        which=slice(-1, None),
+    ),
+    slip("y was taken to grow downwards: on the mat y grows upwards, so add", 2, up=-1),
+    slip("the angle was subtracted: angles are positive to the right, so add it", 1, fan=-1),
+    slip(
         "the heading is left out: a beam's direction is heading() + angle",
         1,
         seen_as=lambda run, scan: (scan.x, scan.y, 0),
     ),
     slip(
-        "sine and cosine look swapped: x goes by sine and y by cosine",
+        "sine and cosine are the wrong way round: x goes by sine and y by cosine",
         2,
         turned=lambda angle: radians(90 - angle),
     ),
     slip(
-        "degrees look taken for radians: math.sin() and math.cos() want math.radians()",
+        "degrees were taken for radians: math.sin() and math.cos() want math.radians()",
         2,
         turned=lambda angle: angle,
     ),
-    slip("the maximum is taken for a wall: a reading of FAR or more gets no dot", 2, far=1000),
+    slip("the maximum was taken for a wall: a reading of FAR or more gets no dot", 2, far=1000),
     slip(
-        "x and y look swapped: position() gives x first",
+        "x and y are the wrong way round: position() gives x first",
         0,
         seen_as=lambda run, scan: (
             run.start.x + scan.y - run.start.y,

@@ -1,48 +1,64 @@
-"""add_beam(log_odds, x, y, angle, reading): what one beam says, added to a flat list."""
+"""add_beam(log_odds, x, y, angle, reading): what one beam says, added to a flat list.
 
-from math import cos, degrees, floor, radians, sin
+Where a reading is a hit, its clear length is a whole number of steps: a loop with < and
+int(clear / step) then agree. No point lies on a line between cells.
+"""
+
+from math import cos, floor, radians, sin
 
 from grader import check, function, near
 from mapping.beam import Weights, passed_by_steps
 from mapping.mapper import Mapper
 
 
-def by(weights=None, passed_by=passed_by_steps, seen_as=lambda x, y, angle: (x, y, angle)):
-    """The reference, or a slip of it."""
-
+def reference(weights, cell_cm=5):
     def add_beam(log_odds, x, y, angle, reading):
-        mapper = Mapper(5, weights or Weights(), passed_by)
+        mapper = Mapper(cell_cm, weights, passed_by_steps)
         mapper.grid.cells = log_odds
-        mapper.add_beam(*seen_as(x, y, angle), reading)
+        mapper.add_beam(x, y, angle, reading)
 
     return add_beam
 
 
-def whole_cells(x, y, angle, length, cell):
-    return passed_by_steps(x, y, angle, length, cell)[::2][: int(length / cell)]
+def inside(x, y):
+    column, row = floor(x / 5), floor(y / 5)
+    return row * 40 + column if 0 <= column < 40 and 0 <= row < 40 else None
 
 
-def into_the_hit(x, y, angle, length, cell):
-    return passed_by_steps(x, y, angle, length + cell if length < 165 else length, cell)
+def clamped(before, weight):
+    return max(-8, min(8, before + weight))
 
 
-def one_more(x, y, angle, length, cell):
-    return passed_by_steps(x, y, angle, length + cell / 2, cell)
+def up_to_the_hit(reading):
+    return 170 if reading >= 170 else reading - 5
 
 
-def each_once(x, y, angle, length, cell):
-    return list(dict.fromkeys(passed_by_steps(x, y, angle, length, cell)))
+def half_cells(clear):
+    return [i * 2.5 for i in range(int(clear / 2.5))]
 
 
-def hit_at(place):
-    """A slip in where the hit goes: place(x, y) gives its number in the list, or None."""
+def by(
+    direction=lambda angle: (sin(radians(angle)), cos(radians(angle))),
+    clear=up_to_the_hit,
+    steps=half_cells,
+    hit=lambda reading: reading < 170,
+    cell=inside,
+    put=clamped,
+    pass_weight=-0.4,
+    once=False,
+):
+    """What a mistake in one of these leaves in the list."""
 
     def add_beam(log_odds, x, y, angle, reading):
-        by(Weights(l_occ=0))(log_odds, x, y, angle, reading)
-        end = x + reading * sin(radians(angle)), y + reading * cos(radians(angle))
-        index = place(*end) if reading < 170 else None
-        if index is not None:
-            log_odds[index] = min(8, log_odds[index] + 0.85)
+        dx, dy = direction(angle)
+        evidence = [(along, pass_weight) for along in steps(clear(reading))]
+        evidence += [(reading, 0.85)] if hit(reading) else []
+        seen = set()
+        for along, weight in evidence:
+            index = cell(x + along * dx, y + along * dy)
+            if index is not None and not (once and (index, weight) in seen):
+                log_odds[index] = put(log_odds[index], weight)
+            seen.add((index, weight))
 
     return add_beam
 
@@ -51,82 +67,206 @@ def wrapped(x, y):
     return floor(y / 5) * 40 + floor(x / 5)
 
 
+def wrapped_in_the_list(x, y):
+    index = wrapped(x, y)
+    return index if 0 <= index < 1600 else None
+
+
+def one_too_far(x, y):
+    column, row = floor(x / 5), floor(y / 5)
+    return row * 40 + column if 0 <= column <= 40 and 0 <= row <= 40 else None
+
+
+def column_alone(x, y):
+    return wrapped(x, y) if 0 <= floor(x / 5) < 40 else None
+
+
+def row_alone(x, y):
+    return wrapped(x, y) if 0 <= floor(y / 5) < 40 else None
+
+
 def truncated(x, y):
     column, row = int(x / 5), int(y / 5)
     return row * 40 + column if 0 <= column < 40 and 0 <= row < 40 else None
 
 
+def turned_over(x, y):
+    return inside(y, x)
+
+
+BEYOND = "a point off the mat got a cell: check that column and row are both from 0 to ACROSS - 1"
+
 add_beam = function(
     "add_beam(log_odds, x, y, angle, reading)",
-    by(),
+    reference(Weights()),
     changes="log_odds",
     grid_cm=5,
     compare=near(0.0001),
     mistakes=[
         (
-            "sine and cosine look swapped: an angle is clockwise from "
+            "sine and cosine are the wrong way round: an angle is clockwise from "
             "up the mat, so x goes by sine and y by cosine",
-            by(seen_as=lambda x, y, angle: (x, y, 90 - angle)),
+            by(direction=lambda angle: (cos(radians(angle)), sin(radians(angle)))),
             0,
         ),
         (
-            "degrees look taken for radians: math.sin() and math.cos() want math.radians(angle)",
-            by(seen_as=lambda x, y, angle: (x, y, degrees(angle))),
+            "degrees were taken for radians: math.sin() and math.cos() want math.radians(angle)",
+            by(direction=lambda angle: (sin(angle), cos(angle))),
             0,
         ),
         (
-            "row and column look swapped: the cell's number is row * ACROSS + column",
-            by(seen_as=lambda x, y, angle: (y, x, 90 - angle)),
+            "the angle was counted the other way: clockwise means that x grows with the sine",
+            by(direction=lambda angle: (sin(radians(-angle)), cos(radians(angle)))),
+            0,
+        ),
+        (
+            "row and column are the wrong way round: the cell's number is row * ACROSS + column",
+            by(cell=turned_over),
             2,
         ),
         (
-            "whole-cell steps: a step of CELL jumps over corners; go by half cells",
-            by(passed_by=whole_cells),
+            "the steps are a whole cell long and jump over corners: go by half cells",
+            by(steps=lambda clear: half_cells(clear)[::2]),
             1,
         ),
         (
-            "the hit cell is marked free as well: stop one cell short of the hit",
-            by(passed_by=into_the_hit),
+            "the steps are a whole cell long and jump over corners: go by half cells",
+            by(steps=lambda clear: [i * 5 for i in range(int(clear / 5))]),
+            1,
+        ),
+        (
+            "the steps go on to the hit itself: stop one cell short of it",
+            by(clear=lambda reading: 170 if reading >= 170 else reading),
             1,
         ),
         (
             "one step too far: go on while you are nearer than the clear length, with < and not <=",
-            by(passed_by=one_more),
+            by(steps=lambda clear: [i * 2.5 for i in range(int(clear / 2.5) + 1)]),
             1,
         ),
         (
-            "the maximum is taken for a wall: a reading of FAR or more marks no hit",
-            by(Weights(far_cm=1000)),
+            "the step at 0 cm is missing: the robot stands on floor too, so begin there",
+            by(steps=lambda clear: half_cells(clear)[1:]),
             1,
         ),
-        ("there is no clamp: keep every cell between -L_MAX and L_MAX", by(Weights(l_max=1000)), 2),
+        (
+            "the maximum was taken for a wall: a reading of FAR or more marks no hit",
+            by(clear=lambda reading: reading - 5, hit=lambda reading: True),
+            1,
+        ),
+        (
+            "a reading of FAR or more marks no hit: it found nothing",
+            by(hit=lambda reading: True),
+            1,
+        ),
+        (
+            "a reading of exactly FAR has found nothing either: a hit is less than FAR",
+            by(
+                clear=lambda reading: 170 if reading > 170 else reading - 5,
+                hit=lambda reading: reading <= 170,
+            ),
+            1,
+        ),
+        (
+            "a reading of FAR or more was left out: it says that the floor is free up to FAR",
+            by(clear=lambda reading: 0 if reading >= 170 else reading - 5),
+            1,
+        ),
+        (
+            "the clear length of a reading of FAR or more is FAR, not the reading",
+            by(clear=lambda reading: reading if reading >= 170 else reading - 5),
+            1,
+        ),
+        (
+            "the clear length of a reading of FAR or more is FAR, not one cell less",
+            by(clear=lambda reading: min(reading, 170) - 5),
+            1,
+        ),
+        (
+            "there is no clamp: keep every cell between -L_MAX and L_MAX",
+            by(put=lambda before, weight: before + weight),
+            2,
+        ),
+        (
+            "only the top is clamped: a cell may not fall below -L_MAX either",
+            by(put=lambda before, weight: min(8, before + weight)),
+            2,
+        ),
+        (
+            "only the bottom is clamped: a cell may not rise above L_MAX either",
+            by(put=lambda before, weight: max(-8, before + weight)),
+            2,
+        ),
+        (
+            "the evidence took the place of what was there: add it to the cell's log odds",
+            by(put=lambda before, weight: clamped(0, weight)),
+            2,
+        ),
+        (
+            "L_FREE was subtracted: it is negative already, so add it",
+            by(pass_weight=0.4),
+            1,
+        ),
         (
             "a cell is counted once a beam: give it L_FREE at every half-cell step",
-            by(passed_by=each_once),
+            by(once=True),
             1,
         ),
         (
             "the hit is missing: after the floor, L_OCC in the cell where the beam ended",
-            by(Weights(l_occ=0)),
+            by(hit=lambda reading: False),
+            2,
+        ),
+        ("the floor is missing: L_FREE at every half-cell step", by(pass_weight=0), 1),
+        (BEYOND, by(cell=wrapped), 2),
+        (
+            "a point off the mat came out on the other side: check column and row, "
+            "not the cell's number",
+            by(cell=wrapped_in_the_list),
             2,
         ),
         (
-            "the floor is missing: L_FREE at every half-cell step on the way",
-            by(Weights(l_free=0)),
-            1,
-        ),
-        (
-            "a cell beyond the mat came out on the other side: check "
-            "that column and row are from 0 to ACROSS - 1",
-            hit_at(wrapped),
+            "only the column is checked: the row has to be from 0 to ACROSS - 1 too",
+            by(cell=column_alone),
             2,
         ),
         (
-            "int() rounds -0.4 to 0, so a point beyond the edge gets a cell: use math.floor()",
-            hit_at(truncated),
+            "only the row is checked: the column has to be from 0 to ACROSS - 1 too",
+            by(cell=row_alone),
+            2,
+        ),
+        (BEYOND + " (ACROSS itself is one too many)", by(cell=one_too_far), 2),
+        (
+            "int() rounds -0.4 to 0, so a point just off the mat gets a cell: use math.floor()",
+            by(cell=truncated),
             2,
         ),
     ],
+)
+
+OTHER = {"l_occ": 2, "l_free": -1, "l_max": 3, "far_cm": 100}
+TYPED_IN = [
+    (
+        f"{names} typed in as a number: use the name, because the check changes its value",
+        reference(Weights(**{key: OTHER[key] for key in changed})),
+        2,
+    )
+    for names, changed in (
+        ("L_OCC was", ("l_free", "l_max", "far_cm")),
+        ("L_FREE was", ("l_occ", "l_max", "far_cm")),
+        ("L_MAX was", ("l_occ", "l_free", "far_cm")),
+        ("FAR was", ("l_occ", "l_free", "l_max")),
+        ("L_OCC and L_FREE were", ("l_max", "far_cm")),
+        ("L_OCC, L_FREE, L_MAX and FAR were", ()),
+    )
+]
+believing = function(
+    "add_beam(log_odds, x, y, angle, reading)",
+    reference(Weights(**OTHER)),
+    changes="log_odds",
+    grid_cm=5,
+    compare=near(0.0001),
+    mistakes=TYPED_IN,
 )
 
 EMPTY = [0.0] * 1600
@@ -134,29 +274,50 @@ EMPTY = [0.0] * 1600
 
 @check("A beam straight up the mat", hint=0)
 def up(task):
-    task.call(add_beam, EMPTY, 102.5, 42.5, 0, 27.5)
+    task.call(add_beam, EMPTY, 102.5, 41, 0, 27.5)
 
 
 @check("Beams all round", hint=0)
 def all_round(task):
     for angle in (90, 200, 333, -45):
-        # Clear for a whole number of steps: int(clear / step) and a loop with < then agree.
-        task.call(add_beam, EMPTY, 102.5, 71, angle, 20 + 2.5 * task.random.randrange(16))
+        task.call(add_beam, EMPTY, 103, 71, angle, 20 + 2.5 * task.random.randrange(16))
+    task.call(add_beam, EMPTY, 103, 71, 20, 3)
 
 
 @check("A reading of nothing", hint=1)
 def nothing(task):
-    task.call(add_beam, EMPTY, 12.5, 12.5, 45, 200)
-    task.call(add_beam, EMPTY, 12.5, 12.5, 44, 171)
+    task.call(add_beam, EMPTY, 12, 13, 45, 200)
+    task.call(add_beam, EMPTY, 12, 13, 44, 171)
+    task.call(add_beam, EMPTY, 12, 13, 41, 170)
+    task.call(add_beam, EMPTY, 12, 13, 46, 167.5)
+
+
+@check("A map that has been begun", hint=2)
+def begun(task):
+    cells = [task.random.choice([-3.0, -0.8, 0.85, 2.0]) for _ in EMPTY]
+    task.call(add_beam, cells, 52, 51, 70, 60)
 
 
 @check("The clamp", hint=2)
 def clamp(task):
-    task.call(add_beam, [7.9] * 1600, 52.5, 52.5, 0, 22.5)
-    task.call(add_beam, [-7.9] * 1600, 52.5, 52.5, 0, 22.5)
+    task.call(add_beam, [7.9] * 1600, 52, 51, 0, 22.5)
+    task.call(add_beam, [-7.9] * 1600, 52, 51, 0, 22.5)
 
 
-@check("Beyond the mat is no cell", hint=2)
+@check("Off the mat there are no cells", hint=2)
 def edge(task):
-    task.call(add_beam, EMPTY, 190, 102.5, 90, 12.5)
-    task.call(add_beam, EMPTY, 8, 102.5, -90, 10)
+    task.call(add_beam, EMPTY, 189, 102, 90, 12.5)
+    task.call(add_beam, EMPTY, 8, 102, -90, 10)
+    task.call(add_beam, EMPTY, 102, 189, 0, 12.5)
+    task.call(add_beam, EMPTY, 102, 8, 180, 10)
+    task.call(add_beam, EMPTY, 151, 102, 60, 200)
+
+
+@check("Other weights, another FAR", hint=2)
+def others(task):
+    for name, value in zip(("L_OCC", "L_FREE", "L_MAX", "FAR"), OTHER.values()):
+        task.set(name, value)
+    for reading in (60, 100, 120):
+        task.call(believing, EMPTY, 103, 71, task.random.choice([20, 110, 250]), reading)
+    task.call(believing, [2.5] * 1600, 103, 71, 20, 40)
+    task.call(believing, [-2.5] * 1600, 103, 71, 20, 40)

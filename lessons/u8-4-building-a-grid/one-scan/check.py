@@ -1,6 +1,13 @@
-"""add_scan(log_odds, x, y, facing, readings): eight beams, each at its own angle."""
+"""add_scan(log_odds, x, y, facing, readings): eight beams, each at its own angle.
 
-from grader import check, function, near
+Each clear length is a whole number of steps, so that a beam of one's own which goes on
+while it is nearer agrees with int(clear / step). The program turns by 45 degrees itself, so
+heading() is 45 when the function is called.
+"""
+
+from math import radians
+
+from grader import calls, check, function, mistake, near
 from mapping.mapper import Mapper
 
 
@@ -23,6 +30,23 @@ add_scan = function(
     grid_cm=5,
     compare=near(0.0001),
     mistakes=[
+        (
+            "add_beam() got radians: it wants degrees, and turns them into radians itself",
+            by(lambda facing, angle: radians(facing + angle)),
+            2,
+        ),
+        mistake(
+            "heading() was added to facing: facing is the heading already, so add it once",
+            by(lambda facing, angle: 45 + facing + angle),
+            1,
+            where=calls("heading"),
+        ),
+        mistake(
+            "heading() tells the heading of now: the scan was taken while the robot faced facing",
+            by(lambda facing, angle: 45 + angle),
+            1,
+            where=calls("heading"),
+        ),
         (
             "the heading is left out: a beam's angle is from straight ahead, so add facing to it",
             by(lambda facing, angle: angle),
@@ -61,7 +85,11 @@ add_scan = function(
             by(which=slice(0, -1)),
             0,
         ),
-        ("x and y look swapped: add_beam() wants x first", by(at=lambda x, y: (y, x)), 2),
+        (
+            "x and y are the wrong way round: add_beam() wants x first",
+            by(at=lambda x, y: (y, x)),
+            2,
+        ),
     ],
 )
 
@@ -71,13 +99,15 @@ FAN = [-19.6875, -14.0625, -8.4375, -2.8125, 2.8125, 8.4375, 14.0625, 19.6875]
 
 @check("A robot that faces up the mat", hint=0)
 def up(task):
-    readings = [30.0, 34.0, 38.0, 42.0, 46.0, 50.0, 54.0, 200.0]
+    readings = [30.0, 35.0, 37.5, 42.5, 45.0, 50.0, 55.0, 200.0]
     task.call(add_scan, EMPTY, 81.0, 52.5, 0, [list(pair) for pair in zip(FAN, readings)])
 
 
 @check("A robot that faces right", hint=1)
 def right(task):
-    task.call(add_scan, EMPTY, 61.0, 102.5, 90, [[angle, 40 + angle] for angle in FAN])
+    task.call(
+        add_scan, EMPTY, 61.0, 102.5, 90, [[angle, 30 + 5 * i] for i, angle in enumerate(FAN)]
+    )
 
 
 @check("Any heading, and a map that has been begun", hint=1)
@@ -85,5 +115,5 @@ def any_heading(task):
     begun = [-2.0] * 1600
     for _ in range(3):
         facing = task.random.uniform(20, 340)
-        readings = [[angle, task.random.uniform(20, 60)] for angle in FAN]
+        readings = [[angle, 20 + 2.5 * task.random.randrange(16)] for angle in FAN]
         task.call(add_scan, begun, 102.5, 88.0, facing, readings)

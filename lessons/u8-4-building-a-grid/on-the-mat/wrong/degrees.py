@@ -1,4 +1,4 @@
-# earns: degrees look taken for radians
+# earns: degrees were taken for radians
 # Where it is on the mat
 #
 # The robot drives round a bend and looks as it goes.

@@ -1,4 +1,4 @@
-# earns: the maximum is taken for a wall
+# earns: the maximum was taken for a wall
 # Where it is on the mat
 #
 # The robot drives round a bend and looks as it goes.

@@ -1,4 +1,4 @@
-# earns: sine and cosine look swapped
+# earns: sine and cosine are the wrong way round
 # Where it is on the mat
 #
 # The robot drives round a bend and looks as it goes.

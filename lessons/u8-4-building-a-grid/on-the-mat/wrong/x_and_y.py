@@ -1,4 +1,4 @@
-# earns: x and y look swapped
+# earns: x and y are the wrong way round
 # Where it is on the mat
 #
 # The robot drives round a bend and looks as it goes.

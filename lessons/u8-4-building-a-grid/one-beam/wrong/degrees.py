@@ -1,4 +1,4 @@
-# earns: degrees look taken for radians
+# earns: degrees were taken for radians
 # One beam into the grid
 #
 # The robot stands 110 cm from a wall and looks once.

@@ -1,4 +1,4 @@
-# earns: the hit cell is marked free as well
+# earns: the steps go on to the hit itself
 # One beam into the grid
 #
 # The robot stands 110 cm from a wall and looks once.

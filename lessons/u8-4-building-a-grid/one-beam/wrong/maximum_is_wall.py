@@ -1,4 +1,4 @@
-# earns: the maximum is taken for a wall
+# earns: the maximum was taken for a wall
 # One beam into the grid
 #
 # The robot stands 110 cm from a wall and looks once.

@@ -1,4 +1,4 @@
-# earns: a cell beyond the mat came out on the other side
+# earns: came out on the other side
 # One beam into the grid
 #
 # The robot stands 110 cm from a wall and looks once.

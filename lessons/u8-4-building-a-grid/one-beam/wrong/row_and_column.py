@@ -1,4 +1,4 @@
-# earns: row and column look swapped
+# earns: row and column are the wrong way round
 # One beam into the grid
 #
 # The robot stands 110 cm from a wall and looks once.

@@ -1,4 +1,4 @@
-# earns: sine and cosine look swapped
+# earns: sine and cosine are the wrong way round
 # One beam into the grid
 #
 # The robot stands 110 cm from a wall and looks once.

@@ -1,4 +1,4 @@
-# earns: whole-cell steps
+# earns: the steps are a whole cell long
 # One beam into the grid
 #
 # The robot stands 110 cm from a wall and looks once.

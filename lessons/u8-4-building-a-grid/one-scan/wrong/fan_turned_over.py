@@ -19,7 +19,7 @@ FAR = 170  # a reading this long or longer is no wall [cm]
 
 # ---- your part ----
 def add_scan(log_odds, x, y, facing, readings):
-    """Add a whole scan, taken at (x, y), to the flat list.
+    """Add a complete scan, taken at (x, y), to the flat list.
 
     readings: pairs (angle from straight ahead, distance)
     The list itself is changed; nothing is returned.
