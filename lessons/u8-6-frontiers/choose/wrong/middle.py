@@ -59,6 +59,6 @@ for number, region in enumerate(regions):
 for gain, colour in [(0, "red"), (1, "green")]:
     goal = choose(here, regions, gain)
     print("with a gain of", gain, "the goal is", goal)
-    if goal:
+    if goal is not None:
         draw(f"goal, gain {gain}", [centre(here), centre(goal)], colour, "line", 1)
         draw(f"goal with gain {gain}", [centre(goal)], colour, "dots", 6)
