@@ -20,6 +20,20 @@ def chosen(
     return None if best is None else nearest(here, regions[best])
 
 
+def by_worth(worth, nothing=None):
+    """What a mistake in a region's worth chooses; `nothing` is what it has to beat, if any."""
+
+    def choose(here, regions, gain):
+        best, most = None, nothing
+        for region in regions:
+            value = worth(len(region), dist(here, nearest(here, region)), gain)
+            if most is None or value > most:
+                best, most = nearest(here, region), value
+        return best
+
+    return choose
+
+
 def to_the_middle(here, region):
     middle = [sum(each) / len(region) for each in zip(*region)]
     return dist(here, middle)
@@ -40,8 +54,14 @@ nearest_cell = function(
             0,
         ),
         (
-            "columns and rows look added up: the distance goes straight, math.dist()",
+            "columns and rows were added up: the distance goes straight, math.dist()",
             lambda here, region: min(region, key=lambda cell: on_foot(here, cell)),
+            0,
+        ),
+        ("that is the smallest cell, not the nearest: min() wants a key", lambda h, r: min(r), 0),
+        (
+            "that is the distance: the cell is wanted",
+            lambda here, region: min(dist(here, cell) for cell in region),
             0,
         ),
     ],
@@ -52,26 +72,70 @@ choose = function(
     cell_cm=10,
     mistakes=[
         (
-            "size looks left out: a region is worth gain times its cells, less the distance",
+            "the size was left out: a region is worth gain times its cells, less the distance",
             lambda here, regions, gain: chosen(here, regions, 0),
             1,
         ),
         (
-            "distance looks left out: the largest region was chosen",
+            "the distance was left out: the largest region was chosen",
             lambda here, regions, gain: chosen(here, regions, gain, way=lambda here, region: 0),
             1,
         ),
         (
-            "distance looks added: a long way makes a region worth less",
+            "distance and gain were left out: the largest region was chosen",
+            by_worth(lambda size, apart, gain: size),
+            1,
+        ),
+        (
+            "the distance was added: a long route makes a region worth less",
             lambda here, regions, gain: chosen(
                 here, regions, gain, way=lambda here, region: -dist(here, nearest(here, region))
             ),
             1,
         ),
         (
-            "the distance looks measured to the region's middle: its nearest cell counts",
+            "the distance was measured to the region's middle: its nearest cell counts",
             lambda here, regions, gain: chosen(here, regions, gain, way=to_the_middle),
             2,
+        ),
+        (
+            "gain was left out: each cell of a region is worth gain",
+            by_worth(lambda size, apart, gain: size - apart),
+            1,
+        ),
+        (
+            "gain is for the cells alone: take the distance away as it is",
+            by_worth(lambda size, apart, gain: gain * (size - apart)),
+            1,
+        ),
+        (
+            "gain is for the cells, not for the distance: gain * len(region), less the distance",
+            by_worth(lambda size, apart, gain: size - gain * apart),
+            1,
+        ),
+        (
+            "the distance is taken away, not divided by",
+            by_worth(lambda size, apart, gain: gain * size / apart if apart else 1e9),
+            1,
+        ),
+        (
+            "a region may be worth less than 0: begin with the first one, not with a worth of 0",
+            by_worth(lambda size, apart, gain: gain * size - apart, nothing=0),
+            1,
+        ),
+        (
+            "that is the region: its nearest cell is wanted",
+            lambda here, regions, gain: (
+                max(regions, key=lambda each: gain * len(each) - dist(here, nearest(here, each)))
+                if regions
+                else None
+            ),
+            2,
+        ),
+        (
+            "that is the nearest cell of the first region: compare what the regions are worth",
+            lambda here, regions, gain: nearest(here, regions[0]) if regions else None,
+            1,
         ),
         (
             "the worst region was chosen: what is worth most is wanted, max() and not min()",
@@ -103,6 +167,7 @@ def some_regions(task, here):
 @check("The nearest cell of a region", hint=0)
 def one_region(task):
     task.call(nearest_cell, (0, 0), {(5, 0), (4, 4), (3, 3)}, gives=(3, 3))
+    task.call(nearest_cell, (7, 7), {(7, 7), (6, 7)}, gives=(7, 7))
     for _ in range(6):
         here = task.random.randrange(20), task.random.randrange(20)
         task.call(nearest_cell, here, some_regions(task, here)[0])
@@ -114,6 +179,8 @@ def few(task):
     task.call(choose, (10, 2), [], 1, gives=None)
     task.call(choose, (10, 2), [far], 1, gives=(5, 15))
     task.call(choose, (10, 2), [far, near], 0, gives=(10, 6))
+    task.call(choose, (3, 3), [{(5, 3), (6, 3)}, {(3, 3)}], 0, gives=(3, 3))
+    task.call(choose, (19, 19), [{(0, 0)}], 2, gives=(0, 0))
 
 
 @check("A large region against a near one", hint=1)

@@ -18,6 +18,26 @@ def reference(free, occupied):
     return {MAT.cell(index) for index in frontier_cells(MAT, states)}
 
 
+def missing(side):
+    """Only three of the four sides were looked at."""
+    steps = [each for each in SIDES if each != side]
+    return lambda free, occupied: beside(free, CELLS - free - occupied, steps)
+
+
+def round_the_edge(free, occupied):
+    """The cells beyond an edge are taken from the other side, as a list does with -1."""
+    unknown = CELLS - free - occupied
+    return {
+        (c, r) for c, r in free if any(((c + i) % 20, (r + j) % 20) in unknown for i, j in SIDES)
+    }
+
+
+def cut_mat(first, last):
+    """A mat whose columns and rows go from first to last only."""
+    mat = {(c, r) for c, r in CELLS if first <= c <= last and first <= r <= last}
+    return lambda free, occupied: beside(free, mat - free - occupied)
+
+
 def beside(cells, others, steps=SIDES):
     """The cells that have one of the others beside them."""
     return {(c, r) for c, r in cells if any((c + i, r + j) in others for i, j in steps)}
@@ -29,7 +49,7 @@ find_frontier = function(
     cell_cm=10,
     mistakes=[
         (
-            "beyond the mat there is nothing to explore: only cells of the mat can be unknown",
+            "off the mat there is nothing to explore: only cells of the mat can be unknown",
             lambda free, occupied: {
                 (c, r)
                 for c, r in free
@@ -38,12 +58,12 @@ find_frontier = function(
             1,
         ),
         (
-            "walls look taken for unknown: an occupied cell is known",
+            "walls were taken for unknown: an occupied cell is known",
             lambda free, occupied: beside(free, CELLS - free),
             0,
         ),
         (
-            "cells at a corner look counted: only the four at the sides count",
+            "cells at a corner were counted: only the four at the sides count",
             lambda free, occupied: beside(free, CELLS - free - occupied, AROUND),
             2,
         ),
@@ -54,7 +74,7 @@ find_frontier = function(
             0,
         ),
         (
-            "walls look counted as frontier: a frontier cell is free",
+            "walls were counted as frontier: a frontier cell is free",
             lambda free, occupied: beside(free | occupied, CELLS - free - occupied),
             0,
         ),
@@ -66,6 +86,28 @@ find_frontier = function(
                 if all((c + i, r + j) in CELLS - free - occupied for i, j in SIDES)
             },
             2,
+        ),
+        ("these are all the free cells: an unknown cell must be beside them", lambda f, o: f, 0),
+        ("these are the unknown cells: a frontier cell is free", lambda f, o: CELLS - f - o, 0),
+        ("the left side is missing: look at all four", missing((-1, 0)), 2),
+        ("the right side is missing: look at all four", missing((1, 0)), 2),
+        ("the lower side is missing: look at all four", missing((0, -1)), 2),
+        ("the upper side is missing: look at all four", missing((0, 1)), 2),
+        (
+            "a cell at the edge was given a neighbour from the other edge: off the mat "
+            "there are no cells",
+            round_the_edge,
+            1,
+        ),
+        (
+            "the last column and the last row are missing: they have the number ACROSS - 1",
+            cut_mat(0, 18),
+            1,
+        ),
+        (
+            "the first column and the first row are missing: they have the number 0",
+            cut_mat(1, 19),
+            1,
         ),
     ],
 )
@@ -89,6 +131,15 @@ def halves(task):
 @check("A mat that is all free", hint=1)
 def all_free(task):
     task.call(find_frontier, CELLS, set(), gives=set())
+
+
+@check("One free cell, or none", hint=0)
+def few(task):
+    task.call(find_frontier, set(), set(), gives=set())
+    for cell in ((0, 0), (19, 19), (0, 19), (7, 12)):
+        task.call(find_frontier, {cell}, set(), gives={cell})
+        task.call(find_frontier, {cell}, CELLS - {cell}, gives=set())
+    task.call(find_frontier, CELLS - {(0, 8), (19, 3), (5, 0), (9, 19)}, set())
 
 
 @check("Cells strewn about", hint=2)

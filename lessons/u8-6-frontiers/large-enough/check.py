@@ -1,6 +1,6 @@
 """large_regions(regions, at_least): without the small ones, the largest first."""
 
-from grader import check, function
+from grader import check, exactly, function, in_any_order
 
 
 def kept(regions, at_least):
@@ -11,16 +11,26 @@ def large(regions, at_least):
     return sorted(kept(regions, at_least), key=len, reverse=True)
 
 
+def ranked(expected, got):
+    """The same regions in the order of their sizes; those of one size may change places."""
+    if not isinstance(got, list | tuple) or not isinstance(expected, list | tuple):
+        return exactly(expected, got)
+    if not all(isinstance(each, set | frozenset) for each in [*expected, *got]):
+        return exactly(expected, got)  # sizes in place of regions, say
+    return in_any_order(expected, got) and list(map(len, expected)) == list(map(len, got))
+
+
 large_regions = function(
     "large_regions(regions, at_least)",
     large,
+    compare=ranked,
     mistakes=[
         (
             "a region of exactly so many cells was left out: at least 5 means 5 or more",
             lambda regions, at_least: large(regions, at_least + 1),
             0,
         ),
-        ("the order looks left as it was: the largest comes first", kept, 1),
+        ("the order is still that of regions: the largest comes first", kept, 1),
         (
             "the smallest comes first: sorted() goes up, unless it is told reverse=True",
             lambda regions, at_least: large(regions, at_least)[::-1],
@@ -42,6 +52,38 @@ large_regions = function(
             "these are sizes: the regions themselves are wanted",
             lambda regions, at_least: [len(region) for region in large(regions, at_least)],
             1,
+        ),
+        (
+            "these are all the cells in one: the regions are wanted, one after the other",
+            lambda regions, at_least: set().union(*kept(regions, at_least)),
+            1,
+        ),
+        (
+            "only the largest is there: all regions that are large enough are wanted",
+            lambda regions, at_least: large(regions, at_least)[:1],
+            0,
+        ),
+        (
+            "only the largest is there: all regions that are large enough are wanted, in a list",
+            lambda regions, at_least: max(kept(regions, at_least), key=len, default=[]),
+            0,
+        ),
+        (
+            "4 was typed in: at_least says how many cells are enough",
+            lambda regions, at_least: large(regions, 4),
+            0,
+        ),
+    ],
+)
+unchanged = function(
+    "large_regions(regions, at_least)",
+    lambda regions, at_least: None,
+    changes="regions",
+    mistakes=[
+        (
+            "regions was sorted itself: sorted() makes a new list, .sort() changes the old one",
+            lambda regions, at_least: regions.sort(key=len, reverse=True),
+            2,
         ),
     ],
 )
@@ -72,3 +114,14 @@ def many(task):
     for _ in range(8):
         sizes = task.random.sample(range(1, 15), 8)
         task.call(large_regions, some_regions(task, sizes), task.random.randrange(2, 10))
+
+
+@check("Regions of one size, and of one cell", hint=0)
+def equal(task):
+    task.call(large_regions, some_regions(task, [5, 7, 5, 3, 7]), 5)
+    task.call(large_regions, some_regions(task, [1, 1, 2]), 1)
+
+
+@check("The list is left as it was", hint=1)
+def left_alone(task):
+    task.call(unchanged, some_regions(task, [3, 9, 5]), 4)

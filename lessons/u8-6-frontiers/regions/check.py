@@ -1,4 +1,4 @@
-"""find_regions(cells): groups of cells that hang together by sides or corners."""
+"""find_regions(cells): groups of cells that are connected by sides or corners."""
 
 from grader import check, function, in_any_order
 from mapping.frontiers import regions
@@ -12,6 +12,11 @@ def grouped(corners):
         {MAT.cell(index) for index in group}
         for group in regions(MAT, map(MAT.index, cells), corners=corners)
     ]
+
+
+def one_for_each(cells):
+    """A group is found anew from each of its cells."""
+    return [group for group in grouped(corners=True)(cells) for _ in group]
 
 
 def one_round(cells):
@@ -32,7 +37,7 @@ find_regions = function(
     cell_cm=10,
     mistakes=[
         (
-            "only sides look counted: here cells that touch at a corner hang together too",
+            "only sides were counted: cells that touch at a corner are connected too",
             grouped(corners=False),
             2,
         ),
@@ -44,7 +49,24 @@ find_regions = function(
             one_round,
             1,
         ),
+        (
+            "a group comes once for each of its cells: what is in a group has to leave `left`",
+            one_for_each,
+            1,
+        ),
+        (
+            "groups of one cell are missing: a cell with no neighbours is a group too",
+            lambda cells: [group for group in grouped(corners=True)(cells) if len(group) > 1],
+            0,
+        ),
     ],
+)
+unchanged = function(
+    "find_regions(cells)",
+    lambda cells: None,
+    changes="cells",
+    cell_cm=10,
+    mistakes=[("cells was emptied: work on a copy, set(cells)", lambda cells: cells.clear(), 1)],
 )
 
 
@@ -64,8 +86,13 @@ def winding(task):
 
 @check("A slanting line", hint=2)
 def slanting(task):
-    line = {(column, column + 2) for column in range(12)}
-    task.call(find_regions, line, gives=[line])
+    for line in (
+        {(column, column + 2) for column in range(12)},
+        {(column, 15 - column) for column in range(12)},
+    ):
+        task.call(find_regions, line, gives=[line])
+    edges = {(0, 5), (19, 5), (7, 0), (7, 19), (0, 0), (19, 19)}
+    task.call(find_regions, edges, gives=[{cell} for cell in edges])
 
 
 @check("Cells strewn about", hint=2)
@@ -73,3 +100,8 @@ def strewn(task):
     cells = [(column, row) for row in range(20) for column in range(20)]
     for count in (40, 90, 140):
         task.call(find_regions, set(task.random.sample(cells, count)))
+
+
+@check("The cells are left as they were", hint=1)
+def left_alone(task):
+    task.call(unchanged, {(3, 3), (4, 4), (9, 9)})

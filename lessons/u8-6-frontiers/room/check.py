@@ -1,23 +1,24 @@
 """find_room(free): the cells on whose middle the robot has room."""
 
-from grader import check, function
+from grader import check, function, lacks, mistake, reads
 from mapping.frontiers import State
 from mapping.grid import Grid
 from mapping.planning import room_cells
 
-MAT = Grid(5)
-CELLS = {MAT.cell(index) for index in range(len(MAT.cells))}
+CELLS = {(column, row) for column in range(40) for row in range(40)}
 SIDES = [(0, 0), (-1, 0), (1, 0), (0, -1), (0, 1)]
 AROUND = [(c, r) for c in (-1, 0, 1) for r in (-1, 0, 1)]
 
 
-def reference(spare):
+def reference(spare, cell=5):
+    mat = Grid(cell)
+
     def find_room(free):
         states = [
-            State.FREE if MAT.cell(index) in free else State.UNKNOWN
-            for index in range(len(MAT.cells))
+            State.FREE if mat.cell(index) in free else State.UNKNOWN
+            for index in range(len(mat.cells))
         ]
-        return {MAT.cell(index) for index in room_cells(MAT, states, spare)}
+        return {mat.cell(index) for index in room_cells(mat, states, spare)}
 
     return find_room
 
@@ -34,50 +35,98 @@ def edge_is_open(free):
     }
 
 
-def of(spare, more=()):
-    return function("find_room(free)", reference(spare), cell_cm=5, mistakes=list(more))
+def near_enough(far, cell=5):
+    """The cells from which every cell nearer than far is free."""
+    reach = range(-4, 5)
+    steps = [(c, r) for c in reach for r in reach if (c * c + r * r) ** 0.5 * cell < far]
+    return lambda free: with_free(free, steps, free)
+
+
+def of(spare, mistakes, cell=5):
+    return function("find_room(free)", reference(spare, cell), cell_cm=cell, mistakes=mistakes)
 
 
 find_room = of(
     6,
     [
         (
-            "only the four sides look counted: a cell at a corner is 7.1 cm away, "
+            "only the four sides were asked: a cell at a corner is 7.1 cm away, "
             "nearer than SPARE + CELL / 2",
-            lambda free: with_free(free, SIDES, free),
+            near_enough(6),
             0,
         ),
         (
-            "cells beyond the mat look counted as free: there is the wall round the mat",
+            "cells off the mat were counted as free: there is the wall round the mat",
             edge_is_open,
             1,
         ),
         (
-            "two cells to each side look kept clear: 10 cm is more than SPARE + CELL / 2",
-            reference(9),
+            "cells 10 cm away were kept clear too: that is more than SPARE + CELL / 2",
+            near_enough(11.5),
             0,
         ),
         (
-            "these are the cells without room",
-            lambda free: free - reference(6)(free),
+            "a square of five by five cells was kept clear: only cells nearer than "
+            "SPARE + CELL / 2 count",
+            near_enough(15),
+            0,
+        ),
+        ("these are the cells without room", lambda free: free - reference(6)(free), 2),
+        (
+            "these are all the cells round which there is room: a cell has to be free itself",
+            lambda free: with_free(free, [step for step in AROUND if any(step)], CELLS),
             2,
         ),
+        ("these are all the free cells: not every one has room", lambda free: free, 0),
     ],
 )
-SLIPS_OF_OTHERS = [
-    (
-        "SPARE looks typed in: work out from SPARE and CELL which cells are too near",
-        reference(6),
-        1,
+
+
+def others(spare, cell=5):
+    """Another robot, or other cells."""
+    return of(
+        spare,
+        [
+            mistake(
+                "SPARE was typed in: use its name, because other robots are larger",
+                near_enough(6 + cell / 2, cell),
+                1,
+                where=(lacks(reads("SPARE")), reads("CELL")),
+            ),
+            mistake(
+                "the steps were typed in: work out from SPARE and CELL which cells are too near",
+                near_enough(8.5),
+                1,
+                where=lacks(reads("SPARE")),
+            ),
+            (
+                "only the cells next to it were asked: a larger robot needs more of them clear",
+                near_enough(min(spare + cell / 2, 1.5 * cell), cell),
+                1,
+            ),
+        ],
+        cell,
     )
-]
-wide, slim = of(11, SLIPS_OF_OTHERS), of(2, SLIPS_OF_OTHERS)
 
 
-def some_floor(task):
-    free = set(CELLS)
+wide, slim = others(11), others(2)
+exact = of(
+    7.5,
+    [
+        (
+            "a cell exactly SPARE + CELL / 2 away is far enough: only nearer ones are in the way",
+            near_enough(10.01),
+            0,
+        )
+    ],
+)
+coarse = others(6, cell=10)  # the mat has 20 of them in a row
+
+
+def some_floor(task, across=40):
+    free = {(column, row) for column in range(across) for row in range(across)}
     for _ in range(12):
-        column, row = task.random.randrange(38), task.random.randrange(38)
+        column, row = task.random.randrange(across - 2), task.random.randrange(across - 2)
         free -= {(column + i, row + j) for i in range(2) for j in range(2)}
     return free
 
@@ -86,11 +135,16 @@ def some_floor(task):
 def passage(task):
     free = {(column, row) for column in (10, 11, 12) for row in range(5, 30)}
     task.call(find_room, free, gives={(11, row) for row in range(6, 29)})
+    across = {(column, row) for row in (10, 11, 12) for column in range(5, 30)}
+    task.call(find_room, across, gives={(column, 11) for column in range(6, 29)})
 
 
-@check("An empty mat", hint=1)
+@check("An empty mat, and none that is free", hint=1)
 def empty(task):
     task.call(find_room, CELLS)
+    task.call(find_room, CELLS - {(20, 20), (9, 0), (0, 0)})
+    task.call(find_room, set(), gives=set())
+    task.call(find_room, {(7, 7)}, gives=set())
 
 
 @check("Boxes all about", hint=2)
@@ -105,3 +159,15 @@ def sizes(task):
     task.call(wide, some_floor(task))
     task.set("SPARE", 2)
     task.call(slim, some_floor(task))
+
+
+@check("A cell just far enough away", hint=0)
+def just(task):
+    task.set("SPARE", 7.5)
+    task.call(exact, some_floor(task))
+
+
+@check("Cells of 10 cm", hint=2)
+def larger(task):
+    task.set("CELL", 10)
+    task.call(coarse, some_floor(task, 20))

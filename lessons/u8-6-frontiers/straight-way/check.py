@@ -1,12 +1,13 @@
-"""straight_way(start, goal, walls): whether a robot can go straight without touching anything."""
+"""straight_way(start, goal, walls): whether a robot can go straight without touching anything.
+
+Whether the start itself counts is not asked: no line is blocked within 1 cm of its start alone.
+"""
 
 from math import dist, floor
 
 from grader import check, function
 from mapping.frontiers import gap_to_walls
-from mapping.grid import Grid
 
-MAT = Grid(5)
 SPARE = 6
 
 
@@ -22,32 +23,78 @@ def beyond(start, goal, share=3):
     return tuple(a + share * (b - a) for a, b in zip(start, goal))
 
 
-def thin(start, goal, walls):
-    """Only whether the line runs through a wall cell."""
-    for i in range(201):
-        x, y = (a + (b - a) * i / 200 for a, b in zip(start, goal))
-        if (floor(x / 5), floor(y / 5)) in walls:
-            return False
-    return True
+def along(start, goal, count):
+    return [beyond(start, goal, i / count) for i in range(count + 1)]
 
 
-straight_way = function(
-    "straight_way(start, goal, walls)",
-    clear,
-    mistakes=[
+def every_cm(start, goal):
+    return along(start, goal, floor(dist(start, goal)) + 1)
+
+
+def in_steps(count):
+    """Points that are too far apart on a long line."""
+    return lambda start, goal, walls: all(
+        dist(point, middle) - 2.5 >= SPARE
+        for point in along(start, goal, count)
+        for middle in middles(walls)
+    )
+
+
+def of(spare, mistakes):
+    return function(
+        "straight_way(start, goal, walls)",
+        lambda start, goal, walls: clear(start, goal, walls, spare),
+        mistakes=mistakes,
+    )
+
+
+straight_way = of(
+    SPARE,
+    [
         (
-            "the robot looks taken for a point: it must keep SPARE from every wall",
-            thin,
+            "the robot was taken for a point: it must keep SPARE from every wall",
+            lambda start, goal, walls: all(
+                (floor(x / 5), floor(y / 5)) not in walls for x, y in every_cm(start, goal)
+            ),
             0,
         ),
         (
-            "only the goal looks looked at: the way there must be clear too",
+            "only the goal is looked at: all points on the line to it must be clear too",
             lambda start, goal, walls: clear(goal, goal, walls),
             1,
         ),
         (
-            "SPARE looks measured to the wall's middle: a wall cell reaches CELL / 2 further",
+            "one clear point is not enough: every point of the line must be clear of every wall",
+            lambda start, goal, walls: any(
+                clear(point, point, walls) for point in every_cm(start, goal)
+            ),
+            2,
+        ),
+        (
+            "only the start is looked at: all points up to the goal must be clear too",
+            lambda start, goal, walls: clear(start, start, walls),
+            2,
+        ),
+        (
+            "only both ends are looked at: all points between them must be clear too",
+            lambda start, goal, walls: clear(start, start, walls) and clear(goal, goal, walls),
+            1,
+        ),
+        (
+            "SPARE was measured to the wall's middle: a wall cell reaches CELL / 2 further",
             lambda start, goal, walls: clear(start, goal, walls, SPARE - 2.5),
+            0,
+        ),
+        (
+            "the gap came out CELL / 2 too small: it is the distance to the middle, less CELL / 2",
+            lambda start, goal, walls: clear(start, goal, walls, SPARE + 2.5),
+            0,
+        ),
+        (
+            "the distance is to the lower left corner of a cell: its middle is half a cell further",
+            lambda start, goal, walls: (
+                gap_to_walls([(5 * c, 5 * r) for c, r in walls], 5, start, goal) >= SPARE
+            ),
             0,
         ),
         (
@@ -56,20 +103,39 @@ straight_way = function(
             1,
         ),
         (
-            "true and false look swapped",
+            "True and False are the wrong way round",
             lambda start, goal, walls: not clear(start, goal, walls),
             2,
         ),
+        *(
+            (
+                "the points are too far apart on a long line: 1 cm at most, so their number "
+                "depends on its length",
+                in_steps(count),
+                1,
+            )
+            for count in (5, 10, 20, 25, 50)
+        ),
         (
-            "one clear point is not enough: every point of the line must be clear of every wall",
-            lambda start, goal, walls: clear(start, start, walls) or clear(goal, goal, walls),
-            2,
+            "columns and rows are the wrong way round: x goes with the column, y with the row",
+            lambda start, goal, walls: clear(start, goal, {(r, c) for c, r in walls}),
+            0,
+        ),
+    ],
+)
+wide = of(
+    11,
+    [
+        (
+            "6 was typed in: SPARE says how far the robot keeps from walls",
+            lambda start, goal, walls: clear(start, goal, walls, 6),
+            0,
         ),
     ],
 )
 
 
-@check("A wall across the way, or none", hint=1)
+@check("A wall across the route, or none", hint=1)
 def across(task):
     wall = {(column, 24) for column in range(12, 28)}
     task.call(straight_way, (100, 25), (100, 180), wall, gives=False)
@@ -79,12 +145,19 @@ def across(task):
 
 
 @check("Along a wall", hint=0)
-def along(task):
+def beside(task):
     wall = {(20, row) for row in range(10, 30)}  # from x = 100 to 105
     task.call(straight_way, (93, 20), (93, 180), wall, gives=True)
     task.call(straight_way, (95, 20), (95, 180), wall, gives=False)
     task.call(straight_way, (112, 20), (112, 180), wall, gives=True)
     task.call(straight_way, (108, 20), (108, 180), wall, gives=False)
+
+
+@check("A gap of exactly SPARE, and a little less", hint=0)
+def just(task):
+    # The goal is straight below a wall cell's middle, 8.5 cm away from it.
+    task.call(straight_way, (20, 94), (102.5, 94), {(20, 20)}, gives=True)
+    task.call(straight_way, (20, 94.1), (102.5, 94.1), {(20, 20)}, gives=False)
 
 
 @check("Through a doorway", hint=2)
@@ -95,10 +168,18 @@ def doorway(task):
     task.call(straight_way, (60, 100), (140, 150), walls, gives=False)
 
 
-@check("Boxes all about", hint=2)
-def many(task):
-    asked = 0
-    while asked < 30:
+@check("Past a post", hint=1)
+def post(task):
+    # 0.05 cm too near: points at most 1 cm apart find it wherever they lie.
+    for _ in range(12):
+        x, end = task.random.uniform(8, 30), task.random.uniform(160, 190)
+        column = task.random.randrange(12, 26)
+        task.call(straight_way, (x, 94.05), (end, 94.05), {(column, 20)}, gives=False)
+
+
+def some_line(task, spare):
+    """A line among boxes that misses the limit by more than a hair."""
+    while True:
         walls = set()
         for _ in range(6):
             column, row = task.random.randrange(37), task.random.randrange(37)
@@ -108,6 +189,21 @@ def many(task):
             for _ in range(2)
         )
         gap = gap_to_walls(middles(walls), 5, start, goal)
-        if abs(gap - SPARE) > 0.3 and dist(start, goal) > 10:  # not for the last millimetre
-            task.call(straight_way, start, goal, walls)
-            asked += 1
+        later = gap_to_walls(
+            middles(walls), 5, beyond(start, goal, 1 / max(dist(start, goal), 2)), goal
+        )
+        if abs(gap - spare) > 0.1 and (gap < spare) == (later < spare) and dist(start, goal) > 10:
+            return start, goal, walls
+
+
+@check("Boxes all about", hint=2)
+def many(task):
+    for _ in range(30):
+        task.call(straight_way, *some_line(task, SPARE))
+
+
+@check("A wider robot", hint=0)
+def wider(task):
+    task.set("SPARE", 11)
+    for _ in range(10):
+        task.call(wide, *some_line(task, 11))

@@ -1,12 +1,14 @@
 """read_map(log_odds): the free and the occupied cells, by two thresholds of probability."""
 
+from math import log, log10
+
 from grader import check, function
 from mapping.frontiers import State, states_by_probability
 from mapping.log_odds import log_odds as log_odds_of
 
 
 def by(free_below, occupied_above):
-    """The reference, or a slip of it, by thresholds of log odds."""
+    """The sets that two thresholds of log odds make."""
     return lambda cells: (
         {cell for cell, value in cells.items() if value < free_below},
         {cell for cell, value in cells.items() if value > occupied_above},
@@ -24,59 +26,102 @@ def reference(free_p, occ_p):
     return read_map
 
 
-def swapped(cells):
-    return reference(0.35, 0.65)(cells)[::-1]
+right = reference(0.35, 0.65)
 
 
-def two_states(cells):
-    free, _ = reference(0.35, 0.65)(cells)
-    return free, set(cells) - free
+def with_thresholds(free_p, occ_p, mistakes):
+    """The function, judged with these thresholds in the program."""
+    return function("read_map(log_odds)", reference(free_p, occ_p), cell_cm=5, mistakes=mistakes)
 
 
-def two_states_all_free(cells):
-    _, occupied = reference(0.35, 0.65)(cells)
-    return set(cells) - occupied, occupied
-
-
-MISTAKES = [
+TYPED_IN = [
     (
-        "the thresholds look taken for log odds: they are probabilities, "
-        "so turn them into log odds first",
-        by(0.35, 0.65),
-        0,
-    ),
-    ("the two sets look swapped: free comes first", swapped, 2),
-    (
-        "cells that are not free are all called occupied: most of them are unknown",
-        two_states,
-        2,
-    ),
-    (
-        "cells that are not occupied are all called free: most of them are unknown",
-        two_states_all_free,
-        2,
-    ),
-    (
-        "1 and -1 look used, the limits of U8.4: here the limits come from OCC_P and FREE_P",
-        by(-1, 1),
+        "the thresholds were typed in: work them out from OCC_P and FREE_P, which may change",
+        right,
         1,
     ),
     (
-        "the odds look left without their logarithm: math.log(p / (1 - p))",
-        by(0.35 / 0.65, 0.65 / 0.35),
+        "OCC_P was typed in: work out both thresholds from the names, which may change",
+        lambda cells: (reference(0.3, 0.9)(cells)[0], right(cells)[1]),
+        1,
+    ),
+    (
+        "FREE_P was typed in: work out both thresholds from the names, which may change",
+        lambda cells: (right(cells)[0], reference(0.3, 0.9)(cells)[1]),
+        1,
+    ),
+    (
+        "both thresholds come from OCC_P: the lower one comes from FREE_P",
+        reference(1 - 0.9, 0.9),
+        1,
+    ),
+    (
+        "both thresholds come from FREE_P: the upper one comes from OCC_P",
+        reference(0.3, 1 - 0.3),
         1,
     ),
 ]
-read_map = function("read_map(log_odds)", reference(0.35, 0.65), cell_cm=5, mistakes=MISTAKES)
-strict = function(
-    "read_map(log_odds)",
-    reference(0.05, 0.95),
-    cell_cm=5,
-    mistakes=[
+
+read_map = with_thresholds(
+    0.35,
+    0.65,
+    [
         (
-            "the thresholds look typed in: work them out from OCC_P and FREE_P, which may change",
-            reference(0.35, 0.65),
+            "the thresholds were taken for log odds: they are probabilities, "
+            "so turn them into log odds first",
+            by(0.35, 0.65),
+            0,
+        ),
+        ("the two sets are the wrong way round: free comes first", lambda c: right(c)[::-1], 2),
+        (
+            "cells that are not free are all called occupied: most of them are unknown",
+            lambda cells: (right(cells)[0], set(cells) - right(cells)[0]),
+            2,
+        ),
+        (
+            "cells that are not occupied are all called free: most of them are unknown",
+            lambda cells: (set(cells) - right(cells)[1], right(cells)[1]),
+            2,
+        ),
+        (
+            "only 0 parts free from occupied: cells between the two thresholds are unknown",
+            by(0, 0),
+            0,
+        ),
+        (
+            "the limits are 1 and -1, those of U8.4: here they come from OCC_P and FREE_P",
+            by(-1, 1),
             1,
+        ),
+        (
+            "the odds were left without their logarithm: math.log(p / (1 - p))",
+            by(0.35 / 0.65, 0.65 / 0.35),
+            1,
+        ),
+        (
+            "math.log(p) is not the log odds: it is math.log(p / (1 - p))",
+            by(log(0.35), log(0.65)),
+            1,
+        ),
+        (
+            "math.log10() has the base 10: log odds are math.log(p / (1 - p))",
+            by(log10(0.35 / 0.65), log10(0.65 / 0.35)),
+            1,
+        ),
+    ],
+)
+apart = with_thresholds(0.3, 0.9, TYPED_IN)
+touching = with_thresholds(
+    0.5,
+    0.5,
+    [
+        (
+            "a threshold itself counts as unknown: above OCC_P and below FREE_P, not equal to it",
+            lambda cells: (
+                {cell for cell, value in cells.items() if value <= 0},
+                {cell for cell, value in cells.items() if value >= 0},
+            ),
+            2,
         )
     ],
 )
@@ -100,11 +145,20 @@ def many(task):
     for _ in range(6):
         task.call(read_map, some_map(task))
     task.call(read_map, {(column, 3): log_odds_of(0.305 + 0.01 * column) for column in range(41)})
+    task.call(read_map, {}, gives=(set(), set()))
 
 
 @check("Other thresholds", hint=1)
 def other(task):
-    task.set("OCC_P", 0.95)
-    task.set("FREE_P", 0.05)
+    task.set("OCC_P", 0.9)
+    task.set("FREE_P", 0.3)
     for _ in range(4):
-        task.call(strict, some_map(task))
+        task.call(apart, some_map(task))
+    task.call(apart, {(column, 3): log_odds_of(0.095 + 0.01 * column) for column in range(89)})
+
+
+@check("Just at a threshold", hint=2)
+def border(task):
+    task.set("OCC_P", 0.5)
+    task.set("FREE_P", 0.5)
+    task.call(touching, {(0, 0): -0.1, (1, 0): 0.0, (2, 0): 0.1}, gives=({(0, 0)}, {(2, 0)}))

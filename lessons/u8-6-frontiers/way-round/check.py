@@ -1,10 +1,10 @@
-"""find_way(start, goal, room): a shortest way; any of those that are as short is right."""
+"""find_way(start, goal, room): a shortest route; any that is as short is right."""
 
 from heapq import heappop, heappush
 from itertools import pairwise
 from math import dist
 
-from grader import check, function
+from grader import check, exactly, function
 from mapping.grid import Grid
 from mapping.planning import shortest_way
 
@@ -20,7 +20,9 @@ def reference(start, goal, room):
 
 
 def as_short(expected, got):
-    """Whether it is a way from start to goal, step by step, and no longer."""
+    """Whether it is a route from start to goal, step by step, and no longer."""
+    if not isinstance(expected, list):
+        return exactly(expected, got)  # no list of cells: a mistake's answer
     if not isinstance(got, list | tuple) or not all(_is_cell(each) for each in got):
         return False
     if not expected or not got:
@@ -41,8 +43,19 @@ def _is_cell(value):
     )
 
 
+def through(room):
+    """The same question, asked of each step too: each must be allowed in this room."""
+
+    def allowed(expected, got):
+        if not as_short(expected, got) or not isinstance(expected, list):
+            return as_short(expected, got)
+        return all({tuple(b), (b[0], a[1]), (a[0], b[1])} <= room for a, b in pairwise(got))
+
+    return function("find_way(start, goal, room)", reference, compare=allowed, cell_cm=10)
+
+
 def search(start, goal, room, steps, cost=dist, cuts=False):
-    """A slip of it: other steps, other costs, or corners cut."""
+    """A mistake in it: other steps, other costs, or corners cut (True, or "one")."""
     length, before, waiting = {start: 0}, {start: None}, [(0, start)]
     while waiting:
         so_far, cell = heappop(waiting)
@@ -54,8 +67,9 @@ def search(start, goal, room, steps, cost=dist, cuts=False):
             return way[::-1]
         for c, r in steps:
             new = cell[0] + c, cell[1] + r
-            sides = {new} if cuts else {new, (new[0], cell[1]), (cell[0], new[1])}
-            if sides <= room and so_far + cost(cell, new) < length.get(new, 1e9):
+            both = [(new[0], cell[1]) in room, (cell[0], new[1]) in room]
+            round_it = all(both) if not cuts else any(both) or cuts is True
+            if new in room and round_it and so_far + cost(cell, new) < length.get(new, 1e9):
                 length[new], before[new] = so_far + cost(cell, new), cell
                 heappush(waiting, (length[new], new))
     return []
@@ -73,30 +87,54 @@ find_way = function(
             2,
         ),
         (
+            "it cuts corners: both cells beside a step to a corner need room, not one of them",
+            lambda start, goal, room: search(start, goal, room, SIDES + CORNERS, cuts="one"),
+            2,
+        ),
+        (
             "only steps to the sides were taken: a step to a corner is shorter than two of them",
             lambda start, goal, room: search(start, goal, room, SIDES),
             2,
         ),
         (
-            "a step to a corner looks counted as 1: it is the square root of 2, dist(cell, new)",
+            "a step to a corner was counted as 1: it is the square root of 2, dist(cell, new)",
             lambda start, goal, room: search(
                 start, goal, room, SIDES + CORNERS, cost=lambda a, b: 1
             ),
             1,
         ),
         (
-            "it goes through cells without room",
+            "it goes through cells without room: a step leads to a cell of room",
             lambda start, goal, room: search(start, goal, CELLS, SIDES + CORNERS),
             2,
         ),
         (
-            "the way begins at the goal: walking back from the goal gives it the wrong way round",
+            "the list begins at the goal: walking back from the goal gives it the wrong way round",
             lambda start, goal, room: reference(start, goal, room)[::-1],
             0,
         ),
         (
             "the start is missing: the list begins with it",
             lambda start, goal, room: reference(start, goal, room)[1:],
+            0,
+        ),
+        (
+            "the goal is missing: the list ends with it",
+            lambda start, goal, room: reference(start, goal, room)[:-1],
+            0,
+        ),
+        (
+            "start and goal are all there is: the cells between them belong to the list too",
+            lambda start, goal, room: [start, goal],
+            0,
+        ),
+        (
+            "that is how long the route is: the cells are wanted",
+            lambda start, goal, room: (
+                sum(dist(a, b) for a, b in pairwise(reference(start, goal, room)))
+                if reference(start, goal, room)
+                else []
+            ),
             0,
         ),
     ],
@@ -126,12 +164,17 @@ def wall(task):
     room = CELLS - {(10, row) for row in range(3, 18)}
     task.call(find_way, (8, 9), (12, 9), room)
     task.call(find_way, (8, 15), (12, 16), room)
+    task.call(find_way, (0, 0), (19, 19), room)
 
 
-@check("No way at all", hint=0)
+@check("No route", hint=0)
 def shut(task):
     room = CELLS - {(column, 9) for column in range(20)}
     task.call(find_way, (4, 4), (4, 15), room, gives=[])
+    # Two rooms that touch at a corner alone: there a robot would cut the corner.
+    corner = {(c, r) for c, r in CELLS if (c < 9 and r < 9) or (c >= 9 and r >= 9)}
+    task.call(find_way, (8, 8), (9, 9), corner, gives=[])
+    task.call(find_way, (2, 3), (15, 12), corner | {(9, 8)})
 
 
 @check("Walls all about", hint=1)
@@ -140,3 +183,10 @@ def many(task):
         room = some_room(task, walls)
         start, goal = task.random.sample(sorted(room), 2)
         task.call(find_way, start, goal, room)
+
+
+@check("Every step is allowed", hint=2)
+def allowed_steps(task):
+    for walls in (7, 10, 13):
+        room = some_room(task, walls)
+        task.call(through(room), *task.random.sample(sorted(room), 2), room)

@@ -1,4 +1,4 @@
-# earns: distance looks added
+# earns: the distance was added
 # Where to go
 #
 # Three regions of frontier cells are given, and the

@@ -1,4 +1,4 @@
-# earns: the distance looks measured to the region's middle
+# earns: the distance was measured to the region's middle
 # Where to go
 #
 # Three regions of frontier cells are given, and the

@@ -1,4 +1,4 @@
-# earns: (5, 15)
+# earns: distance and gain were left out
 # Where to go
 #
 # Three regions of frontier cells are given, and the

@@ -1,4 +1,4 @@
-# earns: size looks left out
+# earns: the size was left out
 # Where to go
 #
 # Three regions of frontier cells are given, and the

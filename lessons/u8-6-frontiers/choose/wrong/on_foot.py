@@ -1,4 +1,4 @@
-# earns: columns and rows look added up
+# earns: columns and rows were added up
 # Where to go
 #
 # Three regions of frontier cells are given, and the

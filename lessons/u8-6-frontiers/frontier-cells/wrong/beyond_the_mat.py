@@ -1,4 +1,4 @@
-# earns: beyond the mat there is nothing to explore
+# earns: off the mat there is nothing to explore
 # Frontier cells
 #
 # A map, half done, with "." for free, "#" for occupied

@@ -1,4 +1,4 @@
-# earns: cells at a corner look counted
+# earns: cells at a corner were counted
 # Frontier cells
 #
 # A map, half done, with "." for free, "#" for occupied

@@ -1,4 +1,4 @@
-# earns: walls look counted as frontier
+# earns: walls were counted as frontier
 # Frontier cells
 #
 # A map, half done, with "." for free, "#" for occupied

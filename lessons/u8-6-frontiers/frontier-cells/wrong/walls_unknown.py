@@ -1,4 +1,4 @@
-# earns: walls look taken for unknown
+# earns: walls were taken for unknown
 # Frontier cells
 #
 # A map, half done, with "." for free, "#" for occupied

@@ -1,4 +1,4 @@
-# earns: the order looks left as it was
+# earns: the order is still that of regions
 # Large enough
 #
 # Most of the small regions are noise at a wall. Your

@@ -1,4 +1,4 @@
-# earns: only sides look counted
+# earns: only sides were counted
 # Regions
 #
 # Your function puts the frontier cells into groups that

@@ -1,4 +1,4 @@
-# earns: cells beyond the mat look counted as free
+# earns: cells off the mat were counted as free
 # Room for the robot
 #
 # The robot is a disc of 5 cm, and the map has cells. On

@@ -1,4 +1,4 @@
-# earns: only the four sides look counted
+# earns: only the four sides were asked
 # Room for the robot
 #
 # The robot is a disc of 5 cm, and the map has cells. On

@@ -1,4 +1,4 @@
-# earns: two cells to each side look kept clear
+# earns: cells 10 cm away were kept clear too
 # Room for the robot
 #
 # The robot is a disc of 5 cm, and the map has cells. On

@@ -1,4 +1,4 @@
-# earns: SPARE looks typed in
+# earns: SPARE was typed in
 # Room for the robot
 #
 # The robot is a disc of 5 cm, and the map has cells. On

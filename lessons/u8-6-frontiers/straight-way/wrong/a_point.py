@@ -1,4 +1,4 @@
-# earns: True
+# earns: the robot was taken for a point
 # A straight way
 #
 # From where the robot stands, which goals can it reach in

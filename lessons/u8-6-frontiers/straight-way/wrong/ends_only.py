@@ -1,4 +1,4 @@
-# earns: one clear point is not enough
+# earns: only both ends are looked at
 # A straight way
 #
 # From where the robot stands, which goals can it reach in
@@ -28,11 +28,9 @@ def straight_way(start, goal, walls):
     for i in [0, steps]:
         x = start[0] + (goal[0] - start[0]) * i / steps
         y = start[1] + (goal[1] - start[1]) * i / steps
-        if all(dist((x, y), middle) - CELL / 2 >= SPARE for middle in middles):
-            return True
-        if False and any(dist((x, y), middle) - CELL / 2 < SPARE for middle in middles):
+        if any(dist((x, y), middle) - CELL / 2 < SPARE for middle in middles):
             return False
-    return False
+    return True
 
 
 # ---- end of your part ----

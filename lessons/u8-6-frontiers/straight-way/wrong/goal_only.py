@@ -1,4 +1,4 @@
-# earns: only the goal looks looked at
+# earns: only the goal is looked at
 # A straight way
 #
 # From where the robot stands, which goals can it reach in

@@ -1,4 +1,4 @@
-# earns: true and false look swapped
+# earns: True and False are the wrong way round
 # A straight way
 #
 # From where the robot stands, which goals can it reach in

@@ -1,4 +1,4 @@
-# earns: SPARE looks measured to the wall's middle
+# earns: SPARE was measured to the wall's middle
 # A straight way
 #
 # From where the robot stands, which goals can it reach in

@@ -1,4 +1,4 @@
-# earns: 1 and -1 look used
+# earns: the limits are 1 and -1
 # Three states
 #
 # The robot turns once and maps. Your function sorts the

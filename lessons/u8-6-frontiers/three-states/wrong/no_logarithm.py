@@ -1,4 +1,4 @@
-# earns: the odds look left without their logarithm
+# earns: the odds were left without their logarithm
 # Three states
 #
 # The robot turns once and maps. Your function sorts the

@@ -1,4 +1,4 @@
-# earns: the thresholds look taken for log odds
+# earns: the thresholds were taken for log odds
 # Three states
 #
 # The robot turns once and maps. Your function sorts the

@@ -1,4 +1,4 @@
-# earns: the two sets look swapped
+# earns: the two sets are the wrong way round
 # Three states
 #
 # The robot turns once and maps. Your function sorts the

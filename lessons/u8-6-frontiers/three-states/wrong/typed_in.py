@@ -1,4 +1,4 @@
-# earns: the thresholds look typed in
+# earns: the thresholds were typed in
 # Three states
 #
 # The robot turns once and maps. Your function sorts the

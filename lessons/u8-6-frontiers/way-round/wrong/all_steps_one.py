@@ -1,4 +1,4 @@
-# earns: a step to a corner looks counted as 1
+# earns: a step to a corner was counted as 1
 # A way round
 #
 # The red dot is not to be reached in a straight line.

@@ -1,4 +1,4 @@
-# earns: the way begins at the goal
+# earns: the list begins at the goal
 # A way round
 #
 # The red dot is not to be reached in a straight line.

@@ -1,0 +1,62 @@
+# earns: that is the nearest cell of the first region
+# Where to go
+#
+# Three regions of frontier cells are given, and the
+# robot's own cell. Your functions choose a cell to go to.
+# Red: what they choose when only nearness counts. Green:
+# when size counts too.
+
+from bugbot import *
+from math import dist
+
+CELL = 10  # cm per cell: large ones, to be seen easily
+ACROSS = 20  # cells in a row
+
+
+# ---- your part ----
+def nearest_cell(here, region):
+    """The cell of a region that is nearest to here."""
+    return min(region, key=lambda cell: dist(here, cell))
+
+
+def choose(here, regions, gain):
+    """The nearest cell of the best region.
+
+    A region is worth gain for each of its cells, less the
+    distance from here to its nearest cell. Distances are
+    counted in cells. None if there is no region.
+    """
+    if not regions:
+        return None
+    best = max(
+        regions,
+        key=lambda region: gain * len(region) - dist(here, nearest_cell(here, region)),
+    )
+    return nearest_cell(here, regions[0])
+
+
+# ---- end of your part ----
+
+
+# The rest is done.
+here = (10, 2)
+regions = [
+    {(15, 5), (16, 5), (17, 5)},
+    {(4, 9), (4, 10), (4, 11), (5, 12), (5, 13), (5, 14), (6, 15)},
+    {(12, 17), (13, 17), (14, 17), (15, 17)},
+]
+
+
+def centre(cell):
+    """The middle of a cell in cm on the mat."""
+    return (cell[0] + 0.5) * CELL, (cell[1] + 0.5) * CELL
+
+
+for number, region in enumerate(regions):
+    draw(f"region {number}", [centre(cell) for cell in sorted(region)], "gold", "squares", CELL)
+for gain, colour in [(0, "red"), (1, "green")]:
+    goal = choose(here, regions, gain)
+    print("with a gain of", gain, "the goal is", goal)
+    if goal is not None:
+        draw(f"goal, gain {gain}", [centre(here), centre(goal)], colour, "line", 1)
+        draw(f"goal with gain {gain}", [centre(goal)], colour, "dots", 6)
