@@ -1,4 +1,4 @@
-# earns: the steps were typed in
+# earns: only the cells next to it were asked
 # Room for the robot
 #
 # The robot is a disc of 5 cm, and the map has cells. On
