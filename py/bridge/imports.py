@@ -11,9 +11,10 @@ __all__ = ["missing_modules"]
 
 _PLAIN_IMPORT = re.compile(
     r"[ \t]*(?:from[ \t]+([\w.]+)[ \t]+import[ \t]+[\w*, \t]+"
-    r"|import[ \t]+([\w.]+)(?:[ \t]+as[ \t]+\w+)?)[ \t]*(?:#.*)?"
+    r"|import[ \t]+([\w.]+)(?:[ \t]+as[ \t]+\w+)?[ \t]*)(?:#.*)?"
 )
-"""A line with one import as most programs have it."""
+"""A line with one import as most programs have it. No two repetitions stand side by side that
+could share the same spaces: a long line would take the square of its length."""
 
 
 def missing_modules(program: str) -> list[str]:

@@ -20,6 +20,7 @@ from pathlib import Path
 from bugbot import worlds
 from bugbot.errors import BugbotError, WorldError
 from bugbot.picture import PictureError, save_picture
+from bugbot.plain_text import json_text, plain
 from bugbot.run import Limits, outcome_of, run_program
 from bugbot.run.watchdog import STILL_S
 from bugbot.supervisor import supervised
@@ -51,7 +52,7 @@ def main(arguments: list[str], *, limits: Limits | None = None, in_child: bool =
 
 
 def _refuse(error: BugbotError) -> int:
-    print(f"bugbot: {error}", file=sys.stderr)
+    print(plain(f"bugbot: {error}"), file=sys.stderr)
     return _USAGE
 
 
@@ -131,14 +132,14 @@ def _read(file: str) -> str:
 def _report(trace: Trace, options: argparse.Namespace) -> int:
     outcome = outcome_of(trace)
     if options.json:
-        print(json.dumps(outcome, ensure_ascii=False))
+        print(json_text(outcome))
     else:
         _show_what_was_said(trace)
         for fault in trace.of_kind("fault"):
-            print(fault["traceback"], end="", file=sys.stderr)
+            print(plain(fault["traceback"]), end="", file=sys.stderr)
             if fault["hint"] is not None:
-                print(fault["hint"], file=sys.stderr)
-        print(outcome["message"], file=sys.stderr)
+                print(plain(fault["hint"]), file=sys.stderr)
+        print(plain(outcome["message"]), file=sys.stderr)
     if options.trace is not None:
         _save(trace, options.trace)
     if options.png is not None:
@@ -152,12 +153,15 @@ def _show_what_was_said(trace: Trace) -> None:
     for kind, _, *values in trace.events:
         if kind == "print":
             stream, text = values
-            print(text, end="", file=getattr(sys, stream))
+            out = getattr(sys, stream)
+            print(plain(text, "\n\t\r") if out.isatty() else text, end="", file=out)
             begun = not text.endswith("\n")
         elif kind == "note":
             line, text = values
             sys.stdout.flush()
-            print(*([""] if begun else []), f"Line {line}: {text}", sep="\n", file=sys.stderr)
+            print(
+                *([""] if begun else []), plain(f"Line {line}: {text}"), sep="\n", file=sys.stderr
+            )
             begun = False
 
 

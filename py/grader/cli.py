@@ -14,11 +14,11 @@ fault of ours.
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 import time
 from pathlib import Path
 
+from bugbot.plain_text import json_text, plain
 from grader.classes.command import add_arguments, mark_all
 from grader.lesson import LESSONS, CourseError, TaskFolder, lesson_at
 from grader.marking import Performer, mark_program
@@ -44,7 +44,7 @@ def main(arguments: list[str]) -> int:
             return _mutants(options)
         return _check(options)
     except CourseError as error:
-        print(f"grader: {error}", file=sys.stderr)
+        print(plain(f"grader: {error}"), file=sys.stderr)
         return _USAGE
 
 
@@ -110,7 +110,7 @@ def _mark(options: argparse.Namespace) -> int:
             program,
             performer.perform,
         )
-    print(json.dumps(mark, ensure_ascii=False) if options.json else text_of(mark))
+    print(json_text(mark) if options.json else plain(text_of(mark)))
     if mark["ours"] is not None:
         return _USAGE
     return 0 if mark["passed"] else 1

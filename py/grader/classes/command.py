@@ -19,6 +19,7 @@ from contextlib import closing
 from pathlib import Path
 from typing import TextIO
 
+from bugbot.plain_text import plain
 from grader.classes.lanes import by_processes
 from grader.classes.machines import by_machines
 from grader.classes.page import page_of
@@ -33,6 +34,7 @@ from grader.lesson import CourseError, Lesson, course, lesson_at
 __all__ = ["add_arguments", "mark_all"]
 
 _STOPPED = 130
+_USAGE = 2
 
 _SHAPE = """
 the folder's shape:
@@ -73,14 +75,15 @@ def mark_all(options: argparse.Namespace) -> int:
     folder: Path = options.folder
     found = find(folder, lessons, lesson=options.lesson, task=options.task)
     out: Path = options.out or folder.resolve().with_name(f"{folder.resolve().name}-marks")
-    out.mkdir(parents=True, exist_ok=True)
+    _make_folder(out)
     if not options.trusted:
         prepared()
     works = [work_of(each, trusted=options.trusted) for each in found.submissions]
     tasks = [(lesson.slug, task.name) for lesson in lessons for task in lesson.tasks]
     rows: list[Row] = []
     stopped = False
-    with Record(out / "rows.jsonl", anew=options.again) as record:
+    unwritten: list[str] = []
+    with _record(out / "rows.jsonl", options.again) as record:
         waiting = []
         for work in works:
             row = record.earlier(work["file"], work["key"])
@@ -92,18 +95,31 @@ def mark_all(options: argparse.Namespace) -> int:
         try:
             with closing(_marked(waiting, options)) as coming:
                 for row in coming:
-                    record.add(row)
                     rows.append(row)
+                    record.add(row)
                     shown.tell(row)
         except KeyboardInterrupt:
             stopped = True
+        except OSError as error:  # of the record: markings tell of their own troubles in a row
+            unwritten.append(f"rows.jsonl could not be written: {error.strerror}")
         finally:
             shown.end()
     rows = in_order(rows, tasks)
     about = _about(options, found, rows, len(works), time.perf_counter() - began)
-    _write(out / "marks.csv", csv_of(rows), "utf-8-sig")  # as spreadsheets want it
-    _write(out / "report.html", page_of(rows, totals(rows, tasks), found.strays, about), "utf-8")
-    print("\n".join([*about, f"{out / 'report.html'} and marks.csv beside it tell more."]))
+    page = page_of(rows, totals(rows, tasks), found.strays, about)
+    # The byte-order mark is what spreadsheets want.
+    for name, text, encoding in (
+        ("marks.csv", csv_of(rows), "utf-8-sig"),
+        ("report.html", page, "utf-8"),
+    ):
+        try:
+            _write(out / name, text, encoding)
+        except OSError as error:
+            unwritten.append(f"{name} could not be written: {error.strerror}")
+    if unwritten:
+        print(plain("\n".join([*about, *unwritten, *_in_short(rows)])))
+        return _USAGE
+    print(plain("\n".join([*about, f"{out / 'report.html'} and marks.csv beside it tell more."])))
     if stopped:
         print("Stopped. The same command goes on from here.")
         return _STOPPED
@@ -127,7 +143,33 @@ def _marked(works: Sequence[Work], options: argparse.Namespace) -> Generator[Row
 
 
 def _write(path: Path, text: str, encoding: str) -> None:
-    path.write_text(text, encoding=encoding, errors="backslashreplace", newline="")
+    """Write beside and rename, so that there is the old file or the new one, never half of it."""
+    beside = path.with_name(f"{path.name}.new")
+    try:
+        beside.write_text(text, encoding=encoding, errors="backslashreplace", newline="")
+        beside.replace(path)
+    except OSError:
+        beside.unlink(missing_ok=True)
+        raise
+
+
+def _make_folder(out: Path) -> None:
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CourseError(f"{out} can't be made: {error.strerror}") from None
+
+
+def _record(path: Path, anew: bool) -> Record:
+    try:
+        return Record(path, anew=anew)
+    except OSError as error:
+        raise CourseError(f"{path} can't be written: {error.strerror}") from None
+
+
+def _in_short(rows: Sequence[Row]) -> list[str]:
+    """The marks for the screen, where no file would take them."""
+    return [f"{row['learner']}  {row['lesson']}  {row['task']}  {row['status']}" for row in rows]
 
 
 def _about(
@@ -138,11 +180,12 @@ def _about(
     where = "in the locked-down Python under Node"
     if options.trusted:
         where = "in plain CPython, as files that are trusted"
-    lines = [f"{options.folder}: {len(rows)} of {of} submissions {where}, {seconds:.1f} s: {told}."]
+    folder = plain(str(options.folder), "")
+    lines = [f"{folder}: {len(rows)} of {of} submissions {where}, {seconds:.1f} s: {told}."]
     if found.left_out:
         lines.append(f"Of other tasks, left out as asked: {found.left_out}.")
     if found.strays:
-        names = ", ".join(each.name for each in found.strays[:5])
+        names = ", ".join(plain(each.name[:200], "") for each in found.strays[:5])
         more = "" if len(found.strays) <= 5 else f" and {len(found.strays) - 5} more"
         lines.append(f"Files that fit no task: {names}{more}.")
     return lines
@@ -168,7 +211,9 @@ class _Progress:
             return
         new = self._done - self._before
         left = (time.perf_counter() - self._began) / new * (self._of - self._done)
-        line = f"{self._done} of {self._of} marked, about {left:.0f} s left ({row['file']})"
+        line = (
+            f"{self._done} of {self._of} marked, about {left:.0f} s left ({plain(row['file'], '')})"
+        )
         if self._screen:
             self._out.write(f"\r{line[:78]:78}")
             self._open = True

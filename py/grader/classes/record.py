@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable
+from contextlib import suppress
 from pathlib import Path
 from types import TracebackType
 
@@ -24,9 +25,12 @@ class Record:
     def __init__(self, path: Path, *, anew: bool = False) -> None:
         self._path = path
         self._rows = {} if anew else {(row["file"], row["key"]): row for row in _read(path)}
-        self._file = path.open("w", encoding="utf-8")
-        for row in self._rows.values():
-            self._write(row)
+        # Written beside and renamed: whoever stops it here still has the old rows.
+        beside = path.with_name(f"{path.name}.new")
+        with beside.open("w", encoding="utf-8") as file:
+            file.writelines(_line(row) for row in self._rows.values())
+        beside.replace(path)
+        self._file = path.open("a", encoding="utf-8")
 
     def __enter__(self) -> Record:
         return self
@@ -37,20 +41,22 @@ class Record:
         error: BaseException | None,
         trace: TracebackType | None,
     ) -> None:
-        self._file.close()
+        with suppress(OSError):  # a disk that is full has been told of already
+            self._file.close()
 
     def earlier(self, file: str, key: str) -> Row | None:
         """The row of that file from an earlier marking, if it still holds."""
         return self._rows.get((file, key))
 
     def add(self, row: Row) -> None:
-        """Keep a row, at once."""
+        """Keep a row, at once; raises OSError if it can't be written."""
         if row["status"] != NOT_MARKED:  # another time it may be
-            self._write(row)
+            self._file.write(_line(row))
             self._file.flush()
 
-    def _write(self, row: Row) -> None:
-        self._file.write(json.dumps(row) + "\n")
+
+def _line(row: Row) -> str:
+    return json.dumps(row) + "\n"
 
 
 def _read(path: Path) -> Iterable[Row]:

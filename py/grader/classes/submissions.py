@@ -94,30 +94,41 @@ class _Finder:
     def through(self, folder: Path) -> Found:
         if not folder.is_dir():
             raise CourseError(f"{folder} is no folder: name the one that holds the class's files")
-        for path in self._files(folder, folder):
-            self._place(path, path.relative_to(folder).as_posix())
+        for name in self._files(folder):
+            self._place(folder / name, name)
         return self._found
 
-    def _files(self, folder: Path, top: Path) -> Iterator[Path]:
-        """Every file, in the order of names; what is no plain file is told."""
-        try:
-            entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
-        except OSError as error:
-            if folder == top:
-                raise CourseError(f"{folder} can't be read: {error.strerror}") from None
-            self._stray(folder.relative_to(top).as_posix(), f"can't be read: {error.strerror}")
-            return
-        for entry in entries:
-            path = folder / entry.name
-            if entry.name.startswith(".") or entry.name in _NOT_OURS:
+    def _files(self, top: Path) -> Iterator[str]:
+        """The name of every file, in order; what is no plain file or can't be read is told.
+
+        Folders that wait are kept in a list: however deep they lie in each other, none is too deep.
+        """
+        waiting = [entry.name for entry in reversed(self._entries(top, ""))]
+        while waiting:
+            name = waiting.pop()
+            try:
+                kind = os.lstat(top / name).st_mode
+            except OSError as error:
+                self._stray(name, f"can't be read: {error.strerror}")
                 continue
-            kind = entry.stat(follow_symlinks=False).st_mode
             if stat.S_ISDIR(kind):
-                yield from self._files(path, top)
+                inside = self._entries(top, name)
+                waiting += [f"{name}/{entry.name}" for entry in reversed(inside)]
             elif stat.S_ISREG(kind):
-                yield path
+                yield name
             else:
-                self._stray(path.relative_to(top).as_posix(), "no plain file: links are not read")
+                self._stray(name, "no plain file: links are not read")
+
+    def _entries(self, top: Path, name: str) -> list[os.DirEntry[str]]:
+        try:
+            with os.scandir(top / name) as entries:
+                kept = [each for each in entries if not _is_left_out(each.name)]
+        except OSError as error:
+            if not name:
+                raise CourseError(f"{top} can't be read: {error.strerror}") from None
+            self._stray(name, f"can't be read: {error.strerror}")
+            return []
+        return sorted(kept, key=lambda entry: entry.name)
 
     def _place(self, path: Path, name: str) -> None:
         *folders, file = name.split("/")
@@ -165,6 +176,10 @@ class _Finder:
 
     def _stray(self, name: str, why: str) -> None:
         self._found.strays.append(Stray(name, why))
+
+
+def _is_left_out(name: str) -> bool:
+    return name.startswith(".") or name in _NOT_OURS
 
 
 def read_program(path: Path) -> str:

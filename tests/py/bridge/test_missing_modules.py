@@ -33,3 +33,10 @@ from bridge.imports import missing_modules
 )
 def test_missing_modules(program: str, missing: list[str]) -> None:
     assert missing_modules(program) == missing
+
+
+def test_a_long_line_takes_no_long_time() -> None:
+    """Beyond a quarter of a million spaces, a pattern that looks twice would look for hours."""
+    spaces = " " * 300_000
+    for line in (f"from math import sin{spaces}!", f"import math{spaces}as{spaces}!"):
+        assert missing_modules(line) == []

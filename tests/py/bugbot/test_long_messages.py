@@ -29,3 +29,10 @@ def test_no_pattern_meets_a_long_text(error: Exception, monkeypatch: pytest.Monk
     assert seen
     assert max(seen) <= 2000
     assert len(fault.message) <= 2000
+
+
+def test_no_pattern_meets_a_long_line() -> None:
+    line = "x = [" + "[ * + " * 50_000
+    case = Case(ValueError(), "", 1, [line], {}, "program.py")
+    assert line.startswith(case.text)
+    assert len(case.text) <= 2000

@@ -17,6 +17,9 @@ from bugbot import api
 
 __all__ = ["CALLS", "Case", "Slip", "bare_calls", "lines_of"]
 
+_LONGEST_LINE = 2000
+"""Characters of a line that patterns are tried on: some take the square of its length."""
+
 CALLS = tuple(name for name in api.__all__ if name not in ("Robot", "go"))
 """The robot's calls."""
 
@@ -46,8 +49,8 @@ class Case:
         return "" if self.line is None else self.text_of(self.line)
 
     def text_of(self, line: int) -> str:
-        """The text of a line, empty beyond the end."""
-        return self.lines[line - 1] if 0 < line <= len(self.lines) else ""
+        """The text of a line, empty beyond the end; of a very long one, its beginning."""
+        return self.lines[line - 1][:_LONGEST_LINE] if 0 < line <= len(self.lines) else ""
 
     @property
     def code(self) -> str:
@@ -60,7 +63,7 @@ class Case:
         return [
             number
             for number, text in enumerate(self.lines, 1)
-            if re.search(pattern, text if quoted else _code(text))
+            if word in text and re.search(pattern, text if quoted else _code(text))
         ]
 
     @property

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
+import os
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,6 +14,7 @@ import pytest
 from distributed import LocalCluster
 
 from grader.classes import command, work
+from grader.classes.record import Record
 from grader.cli import main
 from grader.lesson import LESSONS
 
@@ -120,6 +122,65 @@ def test_a_marking_that_was_stopped_goes_on(
     kept = len(set(first) - {"Ada"})
     assert f"{kept} of 6 are marked already" in capsys.readouterr().err
     assert len(rows_of(out)) == 6
+
+
+def test_names_and_texts_that_steer_a_screen_are_shown(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    name = os.fsdecode(b"\x1b[2Jzo\xff\xc2\x9b")
+    (folder / name).mkdir()
+    shutil.copyfile(FIRST / "solution.py", folder / name / "cell-of-a-point.py")
+    (folder / f"{name}.txt").write_text("x", "utf-8")
+    assert main(["mark-all", str(folder), "--trusted"]) == 0
+    said = capsys.readouterr()
+    assert "\\x1b[2Jzo\\udcff\\x9b.txt" in said.out
+    assert not set(said.out + said.err) & {"\x1b", "\x9b", "\udcff"}
+    out = folder.with_name("class 8b-marks")
+    assert "\\udcff" in (out / "marks.csv").read_text("utf-8-sig")
+
+
+def test_a_full_disk_ends_it_clearly_with_the_marks_there_are(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    full = OSError(28, "No space left on device")
+    taken: list[str] = []
+
+    def add(_record: Record, row: work.Row) -> None:
+        taken.append(row["learner"])
+        if len(taken) == 2:
+            raise full
+
+    def write(_path: Path, *_: str) -> None:
+        raise full
+
+    monkeypatch.setattr(Record, "add", add)
+    monkeypatch.setattr(command, "_write", write)
+    assert main(["mark-all", str(folder), "--trusted"]) == 2
+    said = capsys.readouterr().out
+    for name in ("rows.jsonl", "marks.csv", "report.html"):
+        assert f"{name} could not be written: No space left on device" in said
+    assert all(f"{who}  u8-1-a-map-of-cells  cell-of-a-point" in said for who in taken)
+
+
+def test_rows_kept_before_outlive_a_stop_at_any_moment(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert main(["mark-all", str(folder), "--trusted"]) == 0
+    out = folder.with_name("class 8b-marks")
+    before = rows_of(out)
+    with (out / "rows.jsonl").open("a", encoding="utf-8") as file:
+        file.write('{"learner": "cut sho')
+
+    def killed(*_: object) -> None:
+        raise SystemError("killed")
+
+    monkeypatch.setattr(Path, "replace", killed)  # just after a restart, before anything is done
+    with pytest.raises(SystemError):
+        main(["mark-all", str(folder), "--trusted"])
+    assert (out / "rows.jsonl").read_text("utf-8").count("\n") == len(before)
+    monkeypatch.undo()
+    assert main(["mark-all", str(folder), "--trusted"]) == 0
+    assert rows_of(out) == before
 
 
 def test_another_version_on_a_machine_marks_nothing(
