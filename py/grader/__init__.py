@@ -52,8 +52,7 @@ How marking works. A learner's program is never run in the interpreter that judg
     serving.py    the performer's process, there
     parts.py      the learner's part of a program
     standing.py   the standing check of a whole course
-    mutants.py    small changes to a solution, as a learner might make them
-    mutating.py   holds the checks to them
+    mutants/      holds the checks to small changes of the solutions, as a learner might make them
     cli.py        python -m grader mark …, python -m grader check …
 """
 

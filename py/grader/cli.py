@@ -5,7 +5,7 @@ May import: the rest of `grader`.
     python -m grader mark LESSON TASK FILE [--part] [--json]
     python -m grader mark-all FOLDER [--processes N | --dask ADDRESS] [--trusted]
     python -m grader check [LESSON …] [--seeds N]
-    python -m grader mutants [LESSON [TASK]] [--sample N]
+    python -m grader mutants [LESSON [TASK]] [--sample N] [--list]
 
 Ends with 0 if the program passes or all is well, with 1 if not, with 2 for wrong usage or a
 fault of ours.
@@ -22,7 +22,7 @@ from bugbot.plain_text import json_text, plain
 from grader.classes.command import add_arguments, mark_all
 from grader.lesson import LESSONS, CourseError, TaskFolder, lesson_at
 from grader.marking import Performer, mark_program
-from grader.mutating import Tally, mutate_course
+from grader.mutants import command as mutants_command
 from grader.parts import PartError, compose
 from grader.report import text_of
 from grader.standing import SEEDS, Report, check_course
@@ -41,7 +41,7 @@ def main(arguments: list[str]) -> int:
         if options.command == "mark-all":
             return mark_all(options)
         if options.command == "mutants":
-            return _mutants(options)
+            return mutants_command.mutants(options)
         return _check(options)
     except CourseError as error:
         print(plain(f"grader: {error}"), file=sys.stderr)
@@ -74,14 +74,7 @@ def _parser() -> argparse.ArgumentParser:
         "--processes", type=_count, default=2, help="markings done at the same time (2)"
     )
     mutants = commands.add_parser("mutants", help="change solutions a little: each must fail")
-    mutants.add_argument(
-        "lesson", nargs="?", metavar="LESSON", help="the name of a lesson's folder"
-    )
-    mutants.add_argument("task", nargs="?", metavar="TASK", help="the name of a task")
-    mutants.add_argument("--sample", type=int, help="so many of all mutants, always the same")
-    mutants.add_argument(
-        "--processes", type=_count, default=2, help="markings at the same time (2)"
-    )
+    mutants_command.add_arguments(mutants, _count)
     for each in (mark, whole, check, mutants):
         each.add_argument(
             "--lessons", type=Path, default=LESSONS, help="the folder that holds course.json"
@@ -175,41 +168,3 @@ def _row(report: Report) -> str:
         f"{report.seconds:.1f}",
     )
     return f"{report.slug:34}" + "".join(f"{value:>16}" for value in values)
-
-
-# -- mutants ---------------------------------------------------------------------
-
-_TALLY = ("mutants", "killed", "explained", "open", "seconds")
-
-
-def _mutants(options: argparse.Namespace) -> int:
-    began = time.perf_counter()
-    tallies = mutate_course(
-        options.lessons,
-        options.lesson,
-        options.task,
-        sample=options.sample,
-        processes=options.processes,
-    )
-    total = Tally("all", "")
-    print(f"{'task':56}" + "".join(f"{name:>10}" for name in _TALLY))
-    for each in tallies:
-        print(_tally_row(each))
-        total.mutants += each.mutants
-        total.killed += each.killed
-        total.explained += each.explained
-        total.open += each.open
-        total.seconds += each.seconds
-    print(_tally_row(total))
-    for fault in total.open:
-        print(f"\n{fault}")
-    still = f"{len(total.open)} open" if total.open else "none open"
-    seconds = time.perf_counter() - began
-    print(f"\n{total.mutants} mutants in {seconds:.1f} s: {still}")
-    return 1 if total.open else 0
-
-
-def _tally_row(tally: Tally) -> str:
-    name = f"{tally.lesson} {tally.task}"
-    counts = (tally.mutants, tally.killed, tally.explained, len(tally.open))
-    return f"{name:56}" + "".join(f"{each:>10}" for each in (*counts, f"{tally.seconds:.1f}"))

@@ -22,7 +22,7 @@ from grader.refusal import refusal
 from grader.results import result_of, score_of
 from grader.task import Task
 
-__all__ = ["step"]
+__all__ = ["fails_already", "step"]
 
 _MOST_ROUNDS = 8
 """Results of more jobs than this many times the checks: they are not deterministic."""
@@ -78,6 +78,28 @@ def step(
     except Exception as error:
         entries = [entry(each.title, NOT_RUN) for each in checks]
         return {"mark": mark_of(slug, task, entries, ours=_ours(error, filename))}
+
+
+def fails_already(
+    check_source: str, lesson: dict[str, Any], task: str, program: str, results: list[Any]
+) -> bool:
+    """Is there a check that fails whatever else comes, by the runs there are so far?
+
+    What goes wrong with the check.py is no answer: `step` tells it.
+    """
+    try:
+        checks = checks_of(check_source, f"lessons/{lesson.get('slug')}/{task}/check.py")
+        desk = Desk(lesson, results, 0, program)
+        for begun, failure in [_begin(each, desk) for each in checks]:
+            if failure is not None:
+                return True
+            for trial in begun.trials_made:
+                trial.must_have_done_well()
+    except CheckFailed:
+        return True
+    except Exception:
+        return False
+    return False
 
 
 _Begun = tuple[Task, CheckFailed | None]

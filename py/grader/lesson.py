@@ -34,6 +34,7 @@ __all__ = [
     "TaskFolder",
     "course",
     "lesson_at",
+    "shown",
 ]
 
 LESSONS = Path(__file__).resolve().parents[2] / "lessons"

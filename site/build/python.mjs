@@ -22,7 +22,7 @@ const READY = join(CACHE, "python");
 const PACKAGES = ["bugbot", "mapping", "grader", "bridge"];
 
 /** What stays behind: marking a class's files is for an instructor's machine. */
-const STAYS = /^classes\//;
+const STAYS = /^(classes|mutants)\//;
 
 /** Python run at build time: the robot's calls as data, from their own docstrings. */
 const DESCRIBE = `
