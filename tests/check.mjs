@@ -22,7 +22,9 @@ export async function check() {
     { name: "types of TypeScript", commands: [["npx", "tsc", "-p", "."]] },
     {
       name: "types of Python",
-      commands: [[venvTool("mypy"), "bugbot", "mapping", "grader", "bridge", "sketch"]],
+      commands: [
+        [venvTool("mypy"), "bugbot", "mapping", "performer", "grader", "bridge", "sketch"],
+      ],
       cwd: python,
     },
   ]);

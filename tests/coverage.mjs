@@ -23,7 +23,7 @@ patch =
     _exit
 sigterm = true
 data_file = ${join(folder, "data")}
-source = ${["bugbot", "mapping", "grader", "bridge"].map((name) => join(python, name)).join("\n    ")}
+source = ${["bugbot", "mapping", "performer", "grader", "bridge"].map((name) => join(python, name)).join("\n    ")}
 omit = ${browserOnly.join("\n    ")}
 
 [report]

@@ -1,6 +1,6 @@
 """Marks what learners write, on worlds and noise they have not seen.
 
-May import: the standard library, `bugbot`, `mapping`.
+May import: the standard library, `bugbot`, `performer`, `mapping`.
 
 The words of a check.py are these, and `grader.task.Task`'s methods; lessons/README.md teaches
 them:
@@ -17,12 +17,7 @@ them:
 How marking works. A learner's program is never run in the interpreter that judges it:
 
     judge.py      executes a check.py, never a program; asks for jobs, and gives the mark
-    perform.py    does one job in a fresh interpreter: runs the program, calls its functions
-    jobs.py       the JSON between the two
-    limits.py     what a job may use up
-    refusal.py    reads a program for what it may not use while it is marked
-    fence.py      takes that away while it runs
-    calling.py    calls the learner's functions, inside a run
+    jobs.py       the JSON between it and the performer, which is a package of its own
 
     task.py       what a check is handed: call, set, variable, run, expect, near
     declare.py    a check.py's checks, and the functions it declares
@@ -30,10 +25,8 @@ How marking works. A learner's program is never run in the interpreter that judg
     functions.py  judges the answers
     slips.py      which mistake explains wrong ones
     text.py       what stands in the program, which a cause must not contradict
-    constants.py  the program with other constants
     places.py     where on the mat an answer is wrong
     compare.py    exactly, near, in_any_order
-    values.py     answers as JSON, by exact type; and as a message shows them
     runs.py       a run: its path, its chart, its prints
     endings.py    how it ended
     trials.py     runs that are all reported, whatever comes of them
@@ -49,7 +42,6 @@ How marking works. A learner's program is never run in the interpreter that judg
 
     lesson.py     reads a lesson's folder, and says what is wrong with it
     marking.py    the dialogue of judge and performer, under plain CPython
-    serving.py    the performer's process, there
     parts.py      the learner's part of a program
     standing.py   the standing check of a whole course
     mutants/      holds the checks to small changes of the solutions, as a learner might make them

@@ -1,7 +1,7 @@
 """What a check asks of the learner's functions, step by step.
 
 May import: the standard library, `grader.compare`, `grader.declare`, `grader.failures`,
-`grader.values`.
+`performer.values`.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Any
 from grader.compare import Compare
 from grader.declare import Function
 from grader.failures import AuthorError
-from grader.values import decoded, encoded, shown
+from performer.values import decoded, encoded, shown
 
 __all__ = ["NOT_SAID", "Answered", "Call", "Look", "Step"]
 

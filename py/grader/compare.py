@@ -1,6 +1,6 @@
 """How an answer is compared with what is right.
 
-May import: the standard library, `grader.failures`, `grader.values`.
+May import: the standard library, `grader.failures`, `performer.values`.
 
 Lists and tuples count as the same everywhere: a learner who answers [2, 1] for (2, 1) has
 understood. True and False are no numbers.
@@ -15,7 +15,7 @@ from math import isclose, isnan
 from typing import Any
 
 from grader.failures import AuthorError
-from grader.values import Other, shown
+from performer.values import Other, shown
 
 __all__ = ["Compare", "difference", "exactly", "in_any_order", "near"]
 

@@ -16,7 +16,7 @@ from grader.failures import CheckFailed, ProgramFailed
 from grader.places import cells_in, grid_difference, where_cells
 from grader.slips import Wrong, explaining, usual_slip
 from grader.text import Text
-from grader.values import MalformedError, decoded, shown
+from performer.values import MalformedError, decoded, shown
 
 __all__ = ["fault_text", "judge_steps"]
 

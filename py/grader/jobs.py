@@ -1,7 +1,7 @@
 """The work that a judge asks for, and what comes back: plain JSON both ways.
 
 May import: the standard library, `bugbot.worlds`, `bugbot.errors`, `grader.failures`,
-`grader.limits`, `grader.values`.
+`performer.limits`, `performer.values`.
 
     job      {"id", "kind": "run", "world": {…}, "seed", "limits": {…}}
              {"id", "kind": "calls", "limits",
@@ -25,8 +25,8 @@ from typing import Any
 from bugbot import worlds
 from bugbot.errors import WorldError, got, nearest
 from grader.failures import AuthorError, NeedsJob
-from grader.limits import CALLS_LIMITS, RUN_LIMITS
-from grader.values import encoded
+from performer.limits import CALLS_LIMITS, RUN_LIMITS
+from performer.values import encoded
 
 __all__ = ["Desk", "Group", "died_of"]
 

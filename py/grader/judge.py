@@ -18,9 +18,9 @@ from grader.declare import Check, checks_of
 from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramFailed
 from grader.jobs import Desk
 from grader.marks import NOT_RUN, PASSED, entry, failed_entry, mark_of
-from grader.refusal import refusal
 from grader.results import result_of, score_of
 from grader.task import Task
+from performer.refusal import refusal
 
 __all__ = ["fails_already", "step"]
 

@@ -2,7 +2,7 @@
 
 May import: the standard library, `grader.judge`, `grader.processes`.
 
-A `Performer` keeps one process waiting that has imported what a run needs, and nothing of a
+A `Performer` keeps one process waiting that has imported what a run needs, and can't import a
 judge. For each job it forks, so that every job has a fresh interpreter a few milliseconds
 after it is asked for; where there is no fork (Windows), the process does one job and is started
 again. A job that takes too long, answers too much or breaks its interpreter is ended from here.
@@ -11,12 +11,14 @@ again. A job that takes too long, answers too much or breaks its interpreter is 
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import threading
 from collections.abc import Callable
 from pathlib import Path
 from queue import Empty, Queue
+from time import monotonic
 from types import TracebackType
 from typing import IO, Any
 
@@ -29,7 +31,21 @@ _PY = Path(__file__).parents[1]
 _MOST_BYTES = 200_000_000
 """A longer answer is no answer."""
 
-_SERVE = "import sys; sys.path.insert(0, sys.argv[1]); from grader.serving import serve; serve()"
+_SERVE = """
+import sys
+from importlib.util import module_from_spec, spec_from_file_location
+for name in ("bugbot", "performer"):
+    folder = f"{sys.argv[1]}/{name}"
+    spec = spec_from_file_location(
+        name, f"{folder}/__init__.py", submodule_search_locations=[folder]
+    )
+    sys.modules[name] = module_from_spec(spec)
+    spec.loader.exec_module(sys.modules[name])
+from performer.serving import serve
+serve()
+"""
+"""These two packages and no more: where they lie is not on the path, so neither the judge nor the
+reference can be imported there."""
 
 Perform = Callable[[dict[str, Any], str], dict[str, Any]]
 
@@ -59,6 +75,7 @@ class Performer:
     def __init__(self) -> None:
         self._server: subprocess.Popen[bytes] | None = None
         self._lines: Queue[bytes] = Queue()
+        self._turn = 0
 
     def __enter__(self) -> Performer:
         return self
@@ -74,26 +91,35 @@ class Performer:
     def perform(self, job: dict[str, Any], program: str) -> dict[str, Any]:
         """Do a job; whatever happens to its interpreter is in the result."""
         server = self._started()
-        request = json.dumps({"job": job, "program": program}) + "\n"
+        self._turn += 1
+        request = json.dumps({"job": job, "program": program, "turn": self._turn}) + "\n"
         assert server.stdin is not None
         try:
             server.stdin.write(request.encode())
             server.stdin.flush()
-            line = self._lines.get(timeout=job["limits"]["real_s"])
+            return self._answer(job, monotonic() + job["limits"]["real_s"])
         except Empty:
             self.close()
             return _died(job, "time")
         except OSError:
             self.close()
             return _died(job, "crash")
-        try:
-            result = json.loads(line)
-        except (ValueError, RecursionError):
-            self.close()
-            return _died(job, "crash")
-        if not isinstance(result, dict) or result.get("id") != job["id"]:
-            return _died(job, "crash")
-        return result
+
+    def _answer(self, job: dict[str, Any], late: float) -> dict[str, Any]:
+        """What comes back for this job; what an earlier program left in the pipe is passed over."""
+        while True:
+            line = self._lines.get(timeout=max(0.0, late - monotonic()))
+            try:
+                result = json.loads(line)
+            except (ValueError, RecursionError):
+                self.close()
+                return _died(job, "crash")
+            if not isinstance(result, dict):
+                continue
+            if result.get("id") == job["id"]:
+                return result
+            if result.get("over") == self._turn:
+                return _died(job, "crash")
 
     def close(self) -> None:
         """End the process and whatever it has started."""
@@ -107,7 +133,8 @@ class Performer:
         self.close()
         self._lines = Queue()
         server = subprocess.Popen(
-            [sys.executable, "-c", _SERVE, str(_PY)],
+            [sys.executable, "-s", "-P", "-c", _SERVE, str(_PY)],
+            env=_environment(),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
@@ -117,6 +144,12 @@ class Performer:
         threading.Thread(target=_read, args=(server.stdout, self._lines), daemon=True).start()
         self._server = server
         return server
+
+
+def _environment() -> dict[str, str]:
+    """Without a path to our packages; with the order of sets that the page's Python has as well."""
+    kept = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    return {**kept, "PYTHONHASHSEED": "0"}
 
 
 def _died(job: dict[str, Any], how: str) -> dict[str, Any]:

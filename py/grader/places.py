@@ -1,6 +1,6 @@
 """Where on the mat a learner's answer is wrong: cells to outline.
 
-May import: the standard library, `bugbot.frames`, `grader.declare`, `grader.values`.
+May import: the standard library, `bugbot.frames`, `grader.declare`, `performer.values`.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ from typing import Any
 
 from bugbot.frames import cell_centre, cells_across
 from grader.declare import Function
-from grader.values import shown
+from performer.values import shown
 
 __all__ = ["cells_in", "grid_difference", "where_cells"]
 

@@ -30,7 +30,6 @@ from grader.surfaces import surfaces_met
 from grader.text import Text
 from grader.traces import trace_from
 from grader.trust import doubt
-from grader.values import MalformedError
 from mapping.beam import PassedBy, Weights, passed_by_steps
 from mapping.evidence import Evidence
 from mapping.frontiers import State
@@ -38,6 +37,7 @@ from mapping.grid import Grid
 from mapping.log_odds import KNOWN
 from mapping.mapper import Mapper
 from mapping.score import Rectangle
+from performer.values import MalformedError
 
 __all__ = ["Run"]
 

@@ -20,7 +20,7 @@ from grader.asking import Answered, Call
 from grader.compare import exactly, in_any_order, near
 from grader.declare import Mistake
 from grader.text import Text
-from grader.values import MalformedError, Other, decoded, shown
+from performer.values import MalformedError, Other, decoded, shown
 
 __all__ = ["Wrong", "explaining", "usual_slip"]
 

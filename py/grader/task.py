@@ -17,7 +17,7 @@ from grader.functions import fault_text, judge_steps
 from grader.jobs import Desk, Group
 from grader.runs import Run
 from grader.trials import Trial
-from grader.values import shown
+from performer.values import shown
 
 __all__ = ["Task"]
 

@@ -1,6 +1,6 @@
 """A trace that comes from elsewhere, checked row by row before anyone looks into it.
 
-May import: the standard library, `bugbot.trace`, `grader.values`.
+May import: the standard library, `bugbot.trace`, `performer.values`.
 
 The performer's interpreter belonged to the learner's program, which may have written whatever it
 liked in place of the trace. What is checked here is the form only: that every row is one of
@@ -18,7 +18,7 @@ from math import isfinite
 from typing import Any
 
 from bugbot.trace import KINDS, Event, Trace
-from grader.values import MalformedError
+from performer.values import MalformedError
 
 __all__ = ["trace_from"]
 

@@ -54,7 +54,7 @@ export function budget(folder) {
   const pages = files.filter((path) => path.endsWith(".html"));
   const parts = pages.map((path) => ({ path, files: standsIn(folder, path) }));
   const python = files.filter((path) => path.startsWith("python/"));
-  const later = /\/(?:numpy|stdlib|yaml)-/;
+  const later = /\/(?:numpy|stdlib|yaml|judging)-/;
   return [
     largest(
       "the largest page",

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 from grader.marking import mark_program
-from grader.perform import perform
+from performer.perform import perform
 
 
 def marks(work: str) -> str:

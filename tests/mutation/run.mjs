@@ -17,7 +17,7 @@ const { ensureVenv, venvTool } = await import("../setup.mjs");
 /** An environment of its own: mutmut brings packages that nothing else here wants. */
 const VENV = join(CACHE, "mutation/venv");
 const MUTMUT = "mutmut==3.8.1";
-const PACKAGES = ["bugbot", "mapping", "grader", "bridge", "sketch"];
+const PACKAGES = ["bugbot", "mapping", "performer", "grader", "bridge", "sketch"];
 
 /**
  * What is changed, and the tests that should notice.
@@ -26,9 +26,12 @@ const PACKAGES = ["bugbot", "mapping", "grader", "bridge", "sketch"];
 const TARGETS = {
   mapping: { only: ["mapping/*.py"], tests: ["tests/py/mapping"] },
   grader: {
-    only: ["compare", "values", "scans", "maps", "lines", "slips", "marks", "trials"].map(
-      (name) => `grader/${name}.py`,
-    ),
+    only: [
+      ...["compare", "scans", "maps", "lines", "slips", "marks", "trials"].map(
+        (name) => `grader/${name}.py`,
+      ),
+      "performer/values.py",
+    ],
     tests: [
       "tests/py/grader/test_compare.py",
       "tests/py/grader/test_values.py",

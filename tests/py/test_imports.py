@@ -42,14 +42,17 @@ MAY_IMPORT: dict[str, tuple[str, ...]] = {
     "bugbot.__main__": ("bugbot.cli",),
     "mapping": ("bugbot.frames", "bugbot.errors", "mapping", "numpy"),
     "mapping.yaml_text": ("bugbot.errors", "yaml"),
-    "grader": ("bugbot", "bugbot.*", "mapping", "grader"),
+    "performer": ("bugbot", "bugbot.*", "performer"),
+    "grader": ("bugbot", "bugbot.*", "mapping", "performer", "grader"),
     "grader.classes.machines": ("grader", "distributed"),
     "sketch": ("bugbot.frames", "sketch"),
     "bridge": (
-        *("bugbot", "bugbot.run", "bugbot.trace", "bugbot.worlds", "grader", "bridge"),
-        *("bugbot.errors", "mapping"),
+        *("bugbot", "bugbot.run", "bugbot.trace", "bugbot.worlds", "performer", "bridge"),
         *("js", "pyodide"),
     ),
+    "bridge.judging": ("grader",),
+    "bridge.map_files": ("bugbot.errors",),
+    "bridge.ros": ("bugbot.errors", "bridge.map_files", "mapping"),
 }
 """Room -> what its modules may import besides the standard library. The longest name that fits
 counts; a name allows its submodules too, but "bugbot" alone only the public names."""

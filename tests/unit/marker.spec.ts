@@ -55,6 +55,7 @@ class Hand implements Partner {
   send(message: ToWorker): void {
     if (this.ended) throw new Error("an interpreter that is ended was spoken to");
     this.told.push(message);
+    if (message.kind === "package") return;
     const answer =
       message.kind === "inspect"
         ? ({ kind: "imports", id: 0, missing: [], hasStdlib: true } as const)
@@ -85,7 +86,11 @@ function marking(steps: readonly string[], perform: Script = done) {
       },
       prepare: async () => {},
     },
-    { stdlib: () => Promise.reject(), numpy: () => Promise.reject() },
+    {
+      stdlib: () => Promise.reject(),
+      numpy: () => Promise.reject(),
+      judging: async () => new ArrayBuffer(8),
+    },
   );
   return { marker, hands, progress, judge: () => hands[0] as Hand };
 }
@@ -94,6 +99,13 @@ const done: Script = (message) =>
   message.kind === "perform"
     ? { kind: "performed", id: 0, result: `{"of":${message.job}}` }
     : undefined;
+
+test("what would tell a program what is right comes to the judge alone", async () => {
+  const { marker, hands } = marking([jobs(job("a"), job("b")), JSON.stringify({ mark: PASSED })]);
+  await marker.done;
+  const given = hands.map(({ told }) => told.filter(({ kind }) => kind === "package").length);
+  expect(given).toEqual([1, 0, 0]);
+});
 
 const settled = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));
 

@@ -46,6 +46,13 @@ test("no way out of the locked-down Python is open", async () => {
       program: `print("OPEN" if "root" in open("/etc/passwd").read() else "")`,
     },
     {
+      name: "the judge and the reference",
+      program: `import sys
+from importlib.util import find_spec
+for name in ("grader", "mapping", "bridge.judging", "bridge.ros"):
+    if name in sys.modules or find_spec(name): print("OPEN", name)`,
+    },
+    {
       name: "the host's environment",
       program: `import os\nprint("OPEN" if "PATH_OF_TEST" in str(os.environ) else os.environ)`,
     },

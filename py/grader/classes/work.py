@@ -50,7 +50,7 @@ UNREADABLE = "unreadable"
 NOT_MARKED = "not marked"
 
 _PY = Path(__file__).resolve().parents[2]
-_PACKAGES = ("bugbot", "mapping", "grader")
+_PACKAGES = ("bugbot", "mapping", "performer", "grader")
 _MOST_TEXT = 500
 """Characters of what a learner's program said that a report shows."""
 

@@ -16,7 +16,8 @@ import { CACHE, filesBelow, ROOT, sha256, write } from "../files.mjs";
  */
 
 const FOLDER = join(CACHE, "lessons");
-const SKETCH = join(ROOT, "py/sketch");
+/** What a picture may import beside what is in the snapshot. */
+const PY = join(ROOT, "py");
 
 /** Longer than any run that does not compute for ever [ms]. */
 const LONGEST_MS = 180_000;
@@ -41,8 +42,10 @@ export class Measurer {
     const packed = readFileSync(join(folder, manifest.files.sources?.path ?? ""));
     /** @type {Record<string, string>} */
     const sources = JSON.parse(gunzipSync(packed).toString("utf8"));
-    for (const path of filesBelow(SKETCH, (file) => file.endsWith(".py"))) {
-      sources[`sketch/${path}`] = readFileSync(join(SKETCH, path), "utf8");
+    for (const name of ["mapping", "sketch"]) {
+      for (const path of filesBelow(join(PY, name), (file) => file.endsWith(".py"))) {
+        sources[`${name}/${path}`] = readFileSync(join(PY, name, path), "utf8");
+      }
     }
     this.#sources = sources;
     this.#base = {

@@ -17,6 +17,7 @@ export class Assets {
   #stdlibBytes: ArrayBuffer | null = null;
   #numpy: Promise<ArrayBuffer> | null = null;
   #yaml: Promise<ArrayBuffer> | null = null;
+  #judging: Promise<ArrayBuffer> | null = null;
 
   constructor() {
     for (const file of [files.interpreter, files.snapshot, files.sources]) {
@@ -84,6 +85,15 @@ export class Assets {
       this.#yaml = null;
     });
     return this.#yaml;
+  }
+
+  /** The judge and the reference mapper: for workers that run no learner's program. */
+  judging(): Promise<ArrayBuffer> {
+    this.#judging ??= this.#bytes(files.judging, new Progress());
+    this.#judging.catch(() => {
+      this.#judging = null;
+    });
+    return this.#judging;
   }
 
   /**

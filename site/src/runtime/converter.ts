@@ -20,12 +20,13 @@ export async function convert(
   request: string,
   files: readonly ArrayBuffer[],
   workers: Workers,
-  assets: Pick<Assets, "stdlib" | "yaml">,
+  assets: Pick<Assets, "stdlib" | "yaml" | "judging">,
 ): Promise<Converted> {
-  const [partner, stdlib, yaml] = await Promise.all([
+  const [partner, stdlib, yaml, judging] = await Promise.all([
     workers.take(),
     assets.stdlib(),
     assets.yaml(),
+    assets.judging(),
   ]);
   // The next one starts while this one works; a failure shows when it is needed.
   workers.prepare().catch(() => {});
@@ -33,6 +34,7 @@ export async function convert(
     // It does these in order, and leaves out what it has already.
     partner.send({ kind: "stdlib", bytes: stdlib });
     partner.send({ kind: "package", name: "yaml", bytes: yaml });
+    partner.send({ kind: "package", name: "judging", bytes: judging });
     return await new Promise<Converted>((resolve, reject) => {
       const late = () => reject(new Error(`this took longer than ${LONGEST_S} s`));
       setTimeout(late, LONGEST_S * 1000);

@@ -20,6 +20,8 @@ const MOST_ROUNDS = 20;
  * does not end [s].
  */
 const JUDGE_S = { check: 60, job: 10 } as const;
+/** What the judge's archive brings. */
+const JUDGING = ["grader", "mapping"];
 /** Ends what still goes on behind a marking that has ended; nobody hears it. */
 const OVER = "the marking is over";
 
@@ -98,7 +100,7 @@ export class Marker {
   }
 
   async #converse(): Promise<Marked> {
-    const judge = await this.#engage(this.#request.check);
+    const judge = await this.#engage(this.#request.check, true);
     const begin = { kind: "judge", id: 0, request: JSON.stringify(this.#request) } as const;
     let said = await ask(judge, begin, JUDGE_S.check);
     for (let round = 0; round < MOST_ROUNDS; round++) {
@@ -150,8 +152,8 @@ export class Marker {
     throw unexpected(answer, "the performer");
   }
 
-  /** An interpreter with what a source imports. Throws if it can't be had. */
-  async #engage(source: string): Promise<Partner> {
+  /** An interpreter with what a source imports; the judge and the reference come to a judge alone. */
+  async #engage(source: string, judges = false): Promise<Partner> {
     if (this.#over) throw new Error(OVER);
     const partner = await this.#workers.take();
     if (this.#over) {
@@ -162,7 +164,12 @@ export class Marker {
     // The next one starts while this one works; a failure shows when it is needed.
     this.#workers.prepare().catch(() => {});
     const note = (text: string) => this.#listeners.onNote?.(text);
-    const died = await provideModules(partner, source, this.#modules, note);
+    const given = judges ? JUDGING : [];
+    if (judges) {
+      const bytes = await this.#modules.judging();
+      partner.send({ kind: "package", name: "judging", bytes });
+    }
+    const died = await provideModules(partner, source, this.#modules, note, given);
     if (died) throw new Error(died.message);
     return partner;
   }

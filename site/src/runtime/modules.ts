@@ -7,21 +7,23 @@ export type Died = Extract<FromWorker, { kind: "died" }>;
 type Imports = Extract<FromWorker, { kind: "imports" }>;
 
 /** Downloads of modules that not every interpreter has. */
-export type ModuleFiles = Pick<Assets, "stdlib" | "numpy">;
+export type ModuleFiles = Pick<Assets, "stdlib" | "numpy" | "judging">;
 
 /**
  * Resolves to null when the modules are there, and to the interpreter's last message if it died.
- * `note` hears what there is to wait for, in words.
+ * `note` hears what there is to wait for, in words; `given` names what is there, though not yet imported.
  */
 export async function provideModules(
   partner: Partner,
   source: string,
   files: ModuleFiles,
   note: (text: string) => void,
+  given: readonly string[] = [],
 ): Promise<Died | null> {
   const answer = await inspect(partner, source);
   if (answer.kind === "died") return answer;
-  const { missing, hasStdlib } = answer;
+  const { hasStdlib } = answer;
+  const missing = answer.missing.filter((name) => !given.includes(name));
   if (missing.length === 0) return null;
   if (!hasStdlib) {
     note("Loading Python's standard library");

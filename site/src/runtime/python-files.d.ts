@@ -12,7 +12,7 @@ declare module "virtual:python-files" {
   /** Version of NumPy that the site has. */
   export const numpyVersion: string;
   export const files: Record<
-    "interpreter" | "snapshot" | "sources" | "stdlib" | "numpy" | "yaml",
+    "interpreter" | "snapshot" | "sources" | "stdlib" | "numpy" | "yaml" | "judging",
     PythonFile
   >;
 }

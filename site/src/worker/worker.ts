@@ -36,7 +36,6 @@ interface Session {
 
 /** `bridge.marking`, as far as it is called from here. */
 interface Marking {
-  Judge(request: string): Judge;
   perform(job: string, program: string, beat: (t: number) => void): string;
 }
 
@@ -53,6 +52,11 @@ interface Ros {
 /** Bytes in Python's memory, lent for the time of a call. */
 interface PythonBytes {
   getBuffer(type: "u8"): { data: Uint8Array; release(): void };
+}
+
+/** `bridge.judging`, which is there only if the page has sent it. */
+interface Judging {
+  Judge(request: string): Judge;
 }
 
 interface Judge {
@@ -114,7 +118,7 @@ class Interpreter {
       } else if (message.kind === "convert") {
         this.#convert(pyodide.pyimport("bridge.ros") as Ros, message);
       } else {
-        this.#mark(pyodide.pyimport("bridge.marking") as Marking, message);
+        this.#mark(pyodide, message);
       }
     } catch (error) {
       this.#fail(error);
@@ -156,16 +160,19 @@ class Interpreter {
     this.#runId = null;
   }
 
-  #mark(marking: Marking, message: MarkingMessage): void {
+  #mark(pyodide: PyodideAPI, message: MarkingMessage): void {
     const { id } = message;
     if (message.kind === "perform") {
+      const marking = pyodide.pyimport("bridge.marking") as Marking;
       const beat = (t: number): void => this.#send({ kind: "beat", id, t });
       const result = marking.perform(message.job, message.program, beat);
       this.#send({ kind: "performed", id, result });
       return;
     }
-    if (message.kind === "judge") this.#judge = marking.Judge(message.request);
-    else for (const result of message.results) this.#judge?.hear(result);
+    if (message.kind === "judge") {
+      const judging = pyodide.pyimport("bridge.judging") as Judging;
+      this.#judge = judging.Judge(message.request);
+    } else for (const result of message.results) this.#judge?.hear(result);
     if (!this.#judge) throw new Error("results came before there was a judge to hear them");
     this.#send({ kind: "step", id, step: this.#judge.step() });
   }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from grader.marking import mark_program
-from grader.perform import perform
+from performer.perform import perform
 
 CELL = """
 from math import floor

@@ -8,7 +8,7 @@ from __future__ import annotations
 import pytest
 from judged import CELL, failed, marked, statuses
 
-from grader import calling, perform
+from performer import calling, perform
 
 
 @pytest.fixture(autouse=True)

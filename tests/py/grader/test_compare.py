@@ -9,7 +9,7 @@ import pytest
 
 from grader.compare import Compare, difference, exactly, in_any_order, near
 from grader.failures import AuthorError
-from grader.values import Other
+from performer.values import Other
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from judged import CELL, RIGHT, failed, marked, statuses
 
 from bugbot import worlds
 from grader.judge import step
-from grader.perform import perform
+from performer.perform import perform
 
 LESSON: dict[str, Any] = {"slug": "lesson", "worlds": {}}
 

@@ -13,9 +13,9 @@ from typing import Any
 import pytest
 from judged import CELL, RIGHT, failed
 
-from grader import serving
 from grader.judge import step
 from grader.marking import Performer, mark_program
+from performer import serving
 
 LESSON: dict[str, Any] = {"slug": "lesson", "worlds": {}}
 
@@ -55,15 +55,37 @@ def test_an_interpreter_that_breaks_down_is_told(performer: Performer) -> None:
     assert performer.perform(job, RIGHT)["died"] is None
 
 
+@pytest.mark.parametrize(
+    ("line", "died"),
+    [
+        # Of another job, whose program has left it behind: passed over.
+        (b'{"id": "another"}\n', None),
+        (b'{"over": 0}\n', None),
+        (b"[]\n", None),
+        (b"no json\n", "crash"),
+        (b"", "crash"),
+    ],
+)
 def test_an_answer_for_another_job_is_none(
-    performer: Performer, monkeypatch: pytest.MonkeyPatch
+    performer: Performer, line: bytes, died: str | None
 ) -> None:
-    job = job_of(RIGHT)
-    for line in (b'{"id": "another"}\n', b"[]\n", b"no json\n", b""):
-        performer.close()
-        performer._started()
-        performer._lines.put(line)
-        assert performer.perform(job, RIGHT)["died"] == "crash"
+    performer.close()
+    performer._started()
+    performer._lines.put(line)
+    assert performer.perform(job_of(RIGHT), RIGHT)["died"] == died
+
+
+def test_a_performer_can_import_neither_the_judge_nor_the_reference(performer: Performer) -> None:
+    """Even without what refuses it: they are not where Python looks."""
+    server = performer._started()
+    code = "import sys; sys.modules['performer.serving'] = sys\n"
+    code += "sys.serve = lambda: [print(m, *u.find_spec(m) and ['there'] or []) for m in NAMES]\n"
+    code += "import importlib.util as u; NAMES = ('bugbot', 'performer', 'grader', 'mapping')\n"
+    *command, program, folder = map(str, server.args)  # type: ignore[union-attr]
+    done = subprocess.run(
+        [*command, code + program, folder], capture_output=True, text=True, check=True, env={}
+    )
+    assert done.stdout.split("\n") == ["bugbot there", "performer there", "grader", "mapping", ""]
 
 
 def test_a_server_that_is_gone_is_started_again(performer: Performer) -> None:
@@ -75,7 +97,7 @@ def test_a_server_that_is_gone_is_started_again(performer: Performer) -> None:
 
 def test_the_server_has_no_judge_in_it() -> None:
     code = (
-        "import sys, grader.serving;"
+        "import sys, performer.serving;"
         "print(sorted(name for name in sys.modules if 'mapping' in name or 'judge' in name))"
     )
     done = subprocess.run(
@@ -90,8 +112,8 @@ def test_the_server_has_no_judge_in_it() -> None:
 
 def test_without_fork_one_job_is_done_and_the_server_is_gone(tmp_path: Path) -> None:
     job = job_of(RIGHT)
-    requests = (json.dumps({"job": job, "program": RIGHT}) + "\n") * 2
-    code = "import os; del os.fork; from grader.serving import serve; serve()"
+    requests = (json.dumps({"job": job, "program": RIGHT, "turn": 1}) + "\n") * 2
+    code = "import os; del os.fork; from performer.serving import serve; serve()"
     done = subprocess.run(
         [sys.executable, "-c", code],
         input=requests,

@@ -17,7 +17,7 @@ from grader.failures import CheckFailed
 from grader.runs import Run
 from grader.traces import trace_from
 from grader.trust import doubt
-from grader.values import MalformedError
+from performer.values import MalformedError
 
 WORLD = worlds.load("post-and-shelf")
 

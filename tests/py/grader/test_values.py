@@ -17,7 +17,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from grader.values import MalformedError, Other, decoded, encoded, shown
+from performer.values import MalformedError, Other, decoded, encoded, shown
 
 
 class Colour(IntEnum):

@@ -18,7 +18,7 @@ import pytest
 from bugbot import worlds
 from grader.classes.sandbox import Sandbox, close_everything
 from grader.classes.work import Work, mark_work, source_key
-from grader.limits import RUN_LIMITS
+from performer.limits import RUN_LIMITS
 
 pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="the sandbox needs Node")
 

@@ -1,7 +1,7 @@
 """Calls the functions of a learner's program, inside its run.
 
-May import: the standard library, `bugbot.errors`, `bugbot.run`, `bugbot.trace`, `grader.limits`,
-`grader.values`.
+May import: the standard library, `bugbot.errors`, `bugbot.run`, `bugbot.trace`, `performer.limits`,
+`performer.values`.
 
 An answer is one of
 
@@ -30,8 +30,8 @@ from bugbot.errors import got, nearest
 from bugbot.run.faults import fault_of
 from bugbot.run.limits import LimitReached
 from bugbot.trace import Trace
-from grader.limits import CALL_S
-from grader.values import decoded, encoded
+from performer.limits import CALL_S
+from performer.values import decoded, encoded
 
 __all__ = ["Caller"]
 

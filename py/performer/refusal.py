@@ -1,6 +1,6 @@
 """Reads a program before it is marked, and says on which line it uses what it may not.
 
-May import: the standard library, `bugbot`, `grader.fence`.
+May import: the standard library, `bugbot`, `performer.fence`.
 
 It closes the ways from a program to the interpreter round it: modules that lead out of it, names
 with two underscores that lead from a call to its module, frames, code made from text.
@@ -14,7 +14,7 @@ import sys
 from typing import Any
 
 import bugbot
-from grader.fence import ALLOWED, why_not
+from performer.fence import ALLOWED, why_not
 
 __all__ = ["refusal"]
 

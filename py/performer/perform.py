@@ -1,7 +1,6 @@
 """Does one job in an interpreter of its own: runs the learner's program, calls its functions.
 
-May import: the standard library, `bugbot`, `grader.calling`, `grader.constants`, `grader.fence`,
-`grader.limits`, `grader.refusal`, `grader.values`.
+May import: the standard library, `bugbot`, the rest of `performer`.
 
 Nothing that would tell what is right is here: what comes back is what the program did and
 answered, and whether that is right is judged elsewhere. The interpreter is ended afterwards
@@ -18,12 +17,12 @@ from typing import Any
 from bugbot.run.limits import Limits
 from bugbot.run.program import run_program
 from bugbot.trace import Trace
-from grader.calling import Caller
-from grader.constants import unwritten, with_constants
-from grader.fence import fenced
-from grader.limits import PROGRAM_S
-from grader.refusal import refusal
-from grader.values import decoded
+from performer.calling import Caller
+from performer.constants import unwritten, with_constants
+from performer.fence import fenced
+from performer.limits import PROGRAM_S
+from performer.refusal import refusal
+from performer.values import decoded
 
 __all__ = ["PROGRAM", "perform"]
 

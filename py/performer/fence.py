@@ -6,7 +6,7 @@ A marked program runs in the same interpreter as the simulator that holds the hi
 fences stand between them, and a third behind both: whatever gets through, the judge holds the trace
 against the truth (`grader.trust`).
 
-* `grader.refusal` reads the program before it runs. It names the line and what is not allowed.
+* `performer.refusal` reads the program before it runs. It names the line and what is not allowed.
 * `fenced` takes away, for the time of the run, what a program could not have used
   honestly: our own modules, the file system, import of anything not in `ALLOWED`.
 """

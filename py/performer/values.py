@@ -1,6 +1,6 @@
 """Values on their way between a learner's program and its judge, and as messages show them.
 
-May import: the standard library, `grader.failures`.
+May import: the standard library.
 
 A value is taken apart by its exact type into plain JSON and put together again on the other
 side. So what a program's own class says of itself (`__eq__` that is always True, `__repr__`
