@@ -18,6 +18,7 @@ _STAYS = (
     *(ast.Pass, ast.Global, ast.Nonlocal),
 )
 _SIMPLE = (ast.Expr, ast.Assign, ast.AugAssign, ast.AnnAssign)
+_COMPOUND = (ast.If, ast.For, ast.While)
 
 
 def blocks_of(node: ast.AST) -> Iterator[list[ast.stmt]]:
@@ -62,7 +63,9 @@ def _is_docstring(node: ast.stmt) -> bool:
 def _order(source: Source, block: list[ast.stmt]) -> Iterator[Edit]:
     """Two statements one after the other, swapped."""
     for one, other in pairwise(block):
-        if isinstance(one, _SIMPLE) and isinstance(other, _SIMPLE) and not _is_docstring(one):
+        simple = sum(isinstance(each, _SIMPLE) for each in (one, other))
+        compound = sum(isinstance(each, _COMPOUND) for each in (one, other))
+        if simple >= 1 and simple + compound == 2 and not _is_docstring(one):
             span = (source.span(one)[0], source.span(other)[1])
             gap = source.text((source.span(one)[1], source.span(other)[0]))
             if "\n" in gap and _depend(one, other):
@@ -75,8 +78,13 @@ def _depend(one: ast.stmt, other: ast.stmt) -> bool:
         return True
     written, read = _names(one, ast.Store), _names(one, ast.Load)
     written_2, read_2 = _names(other, ast.Store), _names(other, ast.Load)
-    plain = all(isinstance(each, ast.Name) for each in [*one.targets, *other.targets])
+    plain = all(_is_names(each) for each in [*one.targets, *other.targets])
     return not plain or bool(written & (read_2 | written_2) or written_2 & read)
+
+
+def _is_names(target: ast.expr) -> bool:
+    parts = target.elts if isinstance(target, ast.Tuple) else [target]
+    return all(isinstance(each, ast.Name) for each in parts)
 
 
 def _names(node: ast.AST, used: type[ast.expr_context]) -> set[str]:

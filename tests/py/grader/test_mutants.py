@@ -138,11 +138,16 @@ def test_break_and_continue_are_taken_for_each_other() -> None:
 
 
 def test_two_statements_change_places_where_that_can_matter() -> None:
-    program = "a = 1\nb = 2\nc = b\nprint(c)\n"
+    program = "a, d = 1, 3\nb = 2\nc = b\nprint(c)\n"
     assert kinds(program, "order") == [
         (2, "b = 2 | c = b -> c = b | b = 2"),
         (3, "c = b | print(c) -> print(c) | c = b"),
     ]
+
+
+def test_a_block_and_the_statement_beside_it_change_places() -> None:
+    program = "a = 1\nif b:\n    a = 2\nprint(a)\n"
+    assert [line for line, _ in kinds(program, "order")] == [1, 2]
 
 
 def test_a_whole_block_is_left_out() -> None:
