@@ -63,6 +63,9 @@ _LEFT_OUT = (
     *("sorted", "set", "list", "tuple", "minimum", "maximum", "float"),
 )
 
+_IN_ANY_ORDER = ("min", "max", "minimum", "maximum", "hypot")
+"""Calls that answer the same, whatever the order of their arguments."""
+
 
 def edits_of(source: Source, node: ast.AST, names: frozenset[str]) -> Iterator[Edit]:
     """The changes at one node; `names` are those that the program can use there."""
@@ -130,7 +133,7 @@ def _arithmetic(source: Source, node: ast.BinOp) -> Iterator[Edit]:
     yield Edit("left out", span, left)
     if isinstance(node.op, ast.Add | ast.Mult):
         yield Edit("left out", span, right)
-    if isinstance(node.op, ast.Sub):
+    if isinstance(node.op, ast.Sub) and source.given_to(node) != "abs":
         yield Edit("swapped", span, f"{right} - {left}")
     if isinstance(node.op, ast.Div | ast.FloorDiv):
         yield Edit("swapped", span, f"{right} / {left}")
@@ -159,9 +162,10 @@ def _numbers(source: Source, node: ast.Constant) -> Iterator[Edit]:
 
 
 def _calls(source: Source, node: ast.Call, names: frozenset[str]) -> Iterator[Edit]:
-    yield from _swapped(source, node.args)
     function = node.func
     called = function.id if isinstance(function, ast.Name) else getattr(function, "attr", "")
+    if called not in _IN_ANY_ORDER:
+        yield from _swapped(source, node.args)
     start, end = source.span(function)
     name = (end - len(called.encode()), end)
     whole_already = any(_is_whole(each) for each in node.args)

@@ -39,6 +39,8 @@ def changes(program: str) -> dict[str, set[str]]:
         ("return a / b", "arithmetic", {"return a * b", "return a // b"}),
         ("return a // b", "arithmetic", {"return a / b", "return a % b"}),
         ("return a // b", "rounding", {"return round(a / b)", "return int(a / b)"}),
+        ("return abs(a - b)", "swapped", None),
+        ("return max(a, b)", "swapped", None),
         ("return a % b", "arithmetic", {"return a // b"}),
         ("return a**2", "arithmetic", {"return a*2"}),
         ("return a not in b", "comparison", {"return a in b"}),
