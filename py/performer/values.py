@@ -64,8 +64,8 @@ def _encode(value: Any, depth: int, parts: list[int]) -> Any:
     kind = type(value)
     if value is None or kind is bool:
         return value
-    if kind is str:
-        return value[:_LONGEST_TEXT]
+    if issubclass(kind, str):
+        return str.__str__(value)[:_LONGEST_TEXT]
     if issubclass(kind, int):
         number = int.__add__(value, 0)
         if number.bit_length() > _LONGEST_INT:

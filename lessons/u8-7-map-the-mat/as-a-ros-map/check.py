@@ -2,7 +2,8 @@
 
 from grader import check, function
 from mapping.log_odds import probability
-from mapping.ros_map import FREE_THRESH, OCCUPIED_THRESH
+from mapping.map_yaml import Reader
+from mapping.ros_map import FREE_THRESH, OCCUPIED_THRESH, cells_of
 
 FREE, UNKNOWN, OCCUPIED = 254, 205, 0
 
@@ -74,9 +75,25 @@ def said(**changed):
     return settings
 
 
+GREYS = [[OCCUPIED, UNKNOWN, FREE]]
+
+
+def read(said):
+    """What the readers of ROS make of the three greys beside these settings."""
+    return [cells_of(GREYS, said, reader) for reader in Reader]
+
+
 def same(expected, got):
-    """Numbers may be whole or not; all names have to be there, and no others."""
-    return isinstance(got, dict) and {**got, "origin": list(got.get("origin", []))} == expected
+    """Whether a map is read alike by these settings: its image, place, scale and cells."""
+    try:
+        return (
+            got["image"] == expected["image"]
+            and abs(got["resolution"] - expected["resolution"]) < 1e-9
+            and list(got["origin"]) == expected["origin"]
+            and read(got) == read(expected)
+        )
+    except (KeyError, TypeError, ValueError):
+        return False
 
 
 settings = function(
