@@ -16,7 +16,7 @@ class Judge:
     """The judge's side of one marking; this interpreter never runs any of the program.
 
     request  JSON: lesson (its slug), task (its name), check (the text of check.py),
-             program, worlds (the lesson's own)
+             program, starter (what the learner began with), worlds (the lesson's own)
     """
 
     def __init__(self, request: str) -> None:
@@ -31,7 +31,8 @@ class Judge:
         """What comes next, as JSON: {"jobs": [job as text, …]} or {"mark": mark}."""
         request = self._request
         worlds = {world["name"]: world for world in request["worlds"]}
-        lesson = {"slug": request["lesson"], "worlds": worlds}
+        starters = {request["task"]: request["starter"]}
+        lesson = {"slug": request["lesson"], "worlds": worlds, "starters": starters}
         said = step(request["check"], lesson, request["task"], request["program"], self._results)
         if "jobs" in said:
             return json.dumps({"jobs": [json.dumps(job) for job in said["jobs"]]})

@@ -42,6 +42,7 @@ __all__ = [
     "WrongValueError",
     "got",
     "nearest",
+    "with_article",
 ]
 
 
@@ -104,6 +105,19 @@ def got(value: object) -> str:
         return re.sub(r" at 0x[0-9a-fA-F]+", "", _short.repr(value))
     except Exception:
         return f"something of type {type(value).__name__}"
+
+
+def with_article(name: str) -> str:
+    """A type's name as it is spoken of.
+
+    >>> with_article("IndexError"), with_article("dict"), with_article("OSError")
+    ('an IndexError', 'a dict', 'an OSError')
+    """
+    if name[:2].isupper():  # letter by letter
+        vowel = name[0] in "AEFHILMNORSX"
+    else:  # an UnboundLocalError, but a UnicodeError and a UserDict
+        vowel = name[:1] in tuple("AEIOaeio") or re.match(r"[Uu]n(?!i)", name) is not None
+    return f"{'an' if vowel else 'a'} {name}"
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:

@@ -12,7 +12,7 @@ them:
     in_any_order   … lists whose order does not matter
     scoring        what a run of task.trials is worth
     mistake        a likely mistake, with what must stand in the program for it to be told:
-                   calls, reads, operator, number, lacks
+                   calls, reads, stores, operator, number, code, lacks, either
 
 How marking works. A learner's program is never run in the interpreter that judges it:
 
@@ -24,7 +24,9 @@ How marking works. A learner's program is never run in the interpreter that judg
     asking.py     what a check asks of the learner's functions
     functions.py  judges the answers
     slips.py      which mistake explains wrong ones
-    text.py       what stands in the program, which a cause must not contradict
+    text.py       what the learner has written, which a cause must not contradict
+    conditions.py what must stand there for a cause to be told
+    loops.py      whether a loop stands there
     places.py     where on the mat an answer is wrong
     compare.py    exactly, near, in_any_order
     runs.py       a run: its path, its chart, its prints
@@ -49,12 +51,14 @@ How marking works. A learner's program is never run in the interpreter that judg
 """
 
 from grader.compare import exactly, in_any_order, near
+from grader.conditions import calls, code, either, lacks, number, operator, reads, stores
 from grader.declare import check, function, mistake, scoring
-from grader.text import calls, lacks, number, operator, reads
 
 __all__ = [
     "calls",
     "check",
+    "code",
+    "either",
     "exactly",
     "function",
     "in_any_order",
@@ -65,4 +69,5 @@ __all__ = [
     "operator",
     "reads",
     "scoring",
+    "stores",
 ]

@@ -1,6 +1,7 @@
 """What a check.py says at its top level: its checks and the functions it judges.
 
-May import: the standard library, `grader.compare`, `grader.failures`, `grader.text`.
+May import: the standard library, `grader.compare`, `grader.conditions`, `grader.failures`,
+`grader.text`.
 """
 
 from __future__ import annotations
@@ -12,8 +13,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from grader.compare import Compare, exactly
+from grader.conditions import Condition, calls
 from grader.failures import AuthorError
-from grader.text import Condition, Text, calls
+from grader.text import Text
 
 __all__ = [
     "Check",
@@ -40,6 +42,8 @@ class Mistake:
 
     def can_be(self, text: Text) -> bool:
         """Whether the program, as it is written, allows this cause."""
+        if not text.is_begun:
+            return False  # nobody has made a mistake yet
         named = _NAMED_CALL.match(self.text)
         stated = (calls(named[1]),) if named and not self.where else self.where
         return all(condition(text) for condition in stated)
@@ -62,7 +66,7 @@ def mistake(
     slip   a function that answers as the mistake would; of runs: run -> whether it looks like it
     hint   number of the task's hint that helps (0 is the first)
     where  what must stand in the learner's function, and in what it calls, for the cause to be
-           told: calls("int"), operator("<"), reads("CELL"), number(8), lacks(…)
+           told, one or several of `grader.conditions`: calls("int"), operator("<"), reads("CELL")
     """
     conditions = (where,) if callable(where) else tuple(where)
     return Mistake(text, slip, hint, conditions)

@@ -15,7 +15,7 @@ from grader.declare import Function
 from grader.failures import CheckFailed, ProgramFailed
 from grader.places import cells_in, grid_difference, where_cells
 from grader.slips import Wrong, explaining, usual_slip
-from grader.text import Text
+from grader.text import Source
 from performer.values import MalformedError, decoded, shown
 
 __all__ = ["fault_text", "judge_steps"]
@@ -44,7 +44,7 @@ def judge_steps(
     answers: Sequence[dict[str, Any]],
     others: Iterable[Answered],
     world: dict[str, Any],
-    program: str,
+    source: Source,
 ) -> None:
     """Hold each answer against what is right; CheckFailed for the first that is not.
 
@@ -53,7 +53,7 @@ def judge_steps(
     known = list(others)
     for step, answer in zip(steps, answers, strict=False):
         if isinstance(step, Call):
-            _judge_call(step, answer, known, world, program)
+            _judge_call(step, answer, known, world, source)
         elif isinstance(step, Look):
             _judge_look(step, answer)
 
@@ -63,12 +63,12 @@ def _judge_call(
     answer: dict[str, Any],
     known: Sequence[Answered],
     world: dict[str, Any],
-    program: str,
+    source: Source,
 ) -> None:
     right = call.expected()
     _refuse_what_is_no_answer(call, answer)
     every = [pair for pair in known if pair[0].function is call.function]
-    text = Text(program, call.function.name)
+    text = source.of(call.function.name)
     if "fault" in answer:
         mistake = explaining(call.function.mistakes, every, text)
         fault = answer["fault"]
@@ -86,7 +86,7 @@ def _judge_call(
     wrong = Wrong(call, answer, right, value, every, text)
     raise CheckFailed(
         f"{call} {call.verb} {expected}",
-        "it returned None" if value is None and call.function.changes is None else got,
+        f"{call} returned None" if value is None and call.function.changes is None else got,
         likely=mistake.text if mistake else usual_slip(wrong),
         hint=mistake.hint if mistake else None,
         where=where_cells(call.function, cells, world),

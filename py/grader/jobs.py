@@ -1,7 +1,7 @@
 """The work that a judge asks for, and what comes back: plain JSON both ways.
 
 May import: the standard library, `bugbot.worlds`, `bugbot.errors`, `grader.failures`,
-`performer.limits`, `performer.values`.
+`grader.text`, `performer.limits`, `performer.values`.
 
     job      {"id", "kind": "run", "world": {…}, "seed", "limits": {…}}
              {"id", "kind": "calls", "limits",
@@ -25,6 +25,7 @@ from typing import Any
 from bugbot import worlds
 from bugbot.errors import WorldError, got, nearest
 from grader.failures import AuthorError, NeedsJob
+from grader.text import Source
 from performer.limits import CALLS_LIMITS, RUN_LIMITS
 from performer.values import encoded
 
@@ -63,14 +64,18 @@ class Desk:
     lesson   {"slug": …, "worlds": {name: world}}: the lesson's own worlds
     results  of the jobs done so far
     shift    added to every seed: the standing check marks solutions on other noise
-    program  the learner's, for causes that its text may contradict
+    source   the learner's program, for causes that its text may contradict
     """
 
     def __init__(
-        self, lesson: dict[str, Any], results: list[Any], shift: int = 0, program: str = ""
+        self,
+        lesson: dict[str, Any],
+        results: list[Any],
+        shift: int = 0,
+        source: Source = Source(""),  # noqa: B008 - it is frozen
     ) -> None:
         self.shift = shift
-        self.program = program
+        self.source = source
         self._own_worlds: dict[str, Any] = lesson.get("worlds") or {}
         self._results = {str(each.get("id")): each for each in results if isinstance(each, dict)}
         self._jobs: dict[str, dict[str, Any]] = {}

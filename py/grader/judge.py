@@ -20,6 +20,7 @@ from grader.jobs import Desk
 from grader.marks import NOT_RUN, PASSED, entry, failed_entry, mark_of
 from grader.results import result_of, score_of
 from grader.task import Task
+from grader.text import Source
 from performer.refusal import refusal
 
 __all__ = ["fails_already", "step"]
@@ -40,7 +41,8 @@ def step(
     """Go on with a marking: {"jobs": […]} if more is needed, else {"mark": …}.
 
     check_source  text of the task's check.py
-    lesson        {"slug": …, "worlds": {name: data of the world}}: the lesson's own worlds
+    lesson        {"slug": …, "worlds": {name: data of the world}}, the lesson's own worlds; and
+                  "starters": {task: text}, if they are known
     task          the task's name
     program       the learner's program
     results       of the jobs done so far, in any order
@@ -62,7 +64,8 @@ def step(
         entries = [failed_entry(checks[0].title, trouble, checks[0].hint)]
         entries += [entry(each.title, NOT_RUN) for each in checks[1:]]
         return {"mark": mark_of(slug, task, entries)}
-    desk = Desk(lesson, results, shift, program)
+    starter = (lesson.get("starters") or {}).get(task, "")
+    desk = Desk(lesson, results, shift, Source(program, starter))
     try:
         states = [_begin(each, desk) for each in checks]
         jobs = desk.wanted()
@@ -89,7 +92,7 @@ def fails_already(
     """
     try:
         checks = checks_of(check_source, f"lessons/{lesson.get('slug')}/{task}/check.py")
-        desk = Desk(lesson, results, 0, program)
+        desk = Desk(lesson, results, 0, Source(program))
         for begun, failure in [_begin(each, desk) for each in checks]:
             if failure is not None:
                 return True

@@ -128,7 +128,8 @@ class Lesson:
 
     def for_judge(self) -> dict[str, Any]:
         """The lesson as `grader.judge.step` wants it."""
-        return {"slug": self.slug, "worlds": self.worlds}
+        starters = {task.name: _text(task.starter) for task in self.tasks if task.starter.is_file()}
+        return {"slug": self.slug, "worlds": self.worlds, "starters": starters}
 
 
 def shown(path: Path) -> str:

@@ -18,10 +18,21 @@ from __future__ import annotations
 
 import re
 import tokenize
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
+from difflib import SequenceMatcher
 from io import StringIO
 
-__all__ = ["BEGIN", "END", "Frame", "PartError", "compose", "frame_of", "lines_of_part"]
+__all__ = [
+    "BEGIN",
+    "END",
+    "Frame",
+    "PartError",
+    "compose",
+    "frame_of",
+    "lines_of_part",
+    "lines_written",
+]
 
 BEGIN = "# ---- your part ----"
 END = "# ---- end of your part ----"
@@ -75,6 +86,33 @@ def lines_of_part(starter: str, program: str) -> range:
         first = frame.before.count("\n") + 1
         return range(first, max(first, count - frame.after.count("\n") + 1))
     return range(0)
+
+
+_MOST_LINES = 2000
+"""Longer programs are not gone through for given lines: no person has written them."""
+
+
+def lines_written(starter: str, program: str) -> AbstractSet[int]:
+    """The numbers of the lines that the learner has written; 1 is the first.
+
+    Unlike `lines_of_part` it reads programs, too, whose given code has been changed: the lines
+    that are as in the starter are given, and all others count as the learner's.
+    """
+    lines = program.splitlines()
+    try:
+        frame = frame_of(starter)
+    except PartError:
+        frame = None
+    if frame is None or len(lines) > _MOST_LINES:
+        return set(range(1, len(lines) + 1))
+    if program.startswith(frame.before) and program.endswith(frame.after):
+        first = frame.before.count("\n") + 1
+        return set(range(first, len(lines) - frame.after.count("\n") + 1))
+    given = f"{frame.before}{frame.after}".splitlines()
+    same = SequenceMatcher(None, given, lines, autojunk=False).get_matching_blocks()
+    return set(range(1, len(lines) + 1)) - {
+        number for block in same for number in range(block.b + 1, block.b + block.size + 1)
+    }
 
 
 def compose(starter: str, text: str) -> str:

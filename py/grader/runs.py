@@ -27,7 +27,6 @@ from grader.lines import Line
 from grader.maps import Map, drawn_map, reference_map
 from grader.scans import Scan, SeenAs, beams_of, evidence_at, mapper_of, scans_of
 from grader.surfaces import surfaces_met
-from grader.text import Text
 from grader.traces import trace_from
 from grader.trust import doubt
 from mapping.beam import PassedBy, Weights, passed_by_steps
@@ -107,11 +106,10 @@ class Run:
             return cls(job, None, broken_off(job, "a run of the robot", words))
         return cls(job, trace, ending_of(job, trace))
 
-    def with_mistakes(self, mistakes: tuple[Mistake, ...], program: str = "") -> Run:
-        """The same run, looked at by a check that knows these mistakes and the program's text."""
+    def with_mistakes(self, mistakes: tuple[Mistake, ...]) -> Run:
+        """The same run, looked at by a check that knows these mistakes."""
         run = copy(self)
-        text = Text(program)
-        run._mistakes = tuple(each for each in mistakes if each.can_be(text))
+        run._mistakes = mistakes
         run._maps = []
         return run
 

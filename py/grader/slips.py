@@ -17,10 +17,12 @@ from typing import Any
 
 from bugbot.run.faults import fault_of
 from grader.asking import Answered, Call
-from grader.compare import exactly, in_any_order, near
+from grader.compare import exactly, near
 from grader.declare import Mistake
+from grader.kinds import other_kind
+from grader.returns import why_none
 from grader.text import Text
-from performer.values import MalformedError, Other, decoded, shown
+from performer.values import DecimalFloat, MalformedError, Other, decoded
 
 __all__ = ["Wrong", "explaining", "usual_slip"]
 
@@ -74,57 +76,53 @@ def _same_error(fault: dict[str, Any], error: Exception) -> bool:
     return (fault.get("type"), fault.get("message")) == (likewise.type, likewise.message)
 
 
-_LAZY = (
-    "a generator",
-    "a map",
-    "a filter",
-    "a zip",
-    "a dict_keys",
-    "a dict_values",
-    "a dict_items",
-)
-
-
 def usual_slip(wrong: Wrong) -> str | None:
     """What the grader itself can tell from a wrong answer; None where it is not certain."""
+    if wrong.text.is_untouched:
+        return None  # nobody has made a mistake yet
+    if wrong.call.function.changes is not None:
+        return _not_changed(wrong) or other_kind(wrong.right, wrong.value)
     if wrong.value is None:
         return _nothing_returned(wrong)
-    return _other_kind(wrong) or _not_changed(wrong) or _always_the_same(wrong)
-
-
-def _nothing_returned(wrong: Wrong) -> str | None:
-    if isinstance(wrong.right, list | tuple | set | dict) and not wrong.right:
-        return f"it gives None where an empty {type(wrong.right).__name__} is asked: return that"
-    if wrong.text.returns_a_value:
-        return None  # None may be what was chosen
-    if wrong.answer.get("printed"):
-        return (
-            "it prints its answer instead of returning it: print() only shows a value, "
-            "return hands it to the caller"
-        )
     return (
-        "it returns None: a function hands back its answer with return, and this one has no return"
+        _no_answer_yet(wrong)
+        or other_kind(wrong.right, wrong.value, [each.expected() for each, _ in wrong.every])
+        or _floats(wrong)
+        or _always_the_same(wrong)
     )
 
 
-def _other_kind(wrong: Wrong) -> str | None:
-    right, value, call = wrong.right, wrong.value, wrong.call
-    if isinstance(value, Other):
-        if value.what == "a coroutine" or isinstance(wrong.text.function, ast.AsyncFunctionDef):
-            name = call.function.name
-            return (
-                f"{name} is an async function, so calling it gives no answer yet: leave out async"
-            )
-        if value.what in _LAZY:
-            return f"it gives {value.what[2:]}, which is not a list yet: put list() round it"
-        return f"it is {value.what}; the task asks for {_kind(right)}"
-    if isinstance(value, str) and not isinstance(right, str):
-        return "it gives a text, not a value: leave out the quotes, str() and f-strings"
-    if isinstance(right, set) and isinstance(value, list | tuple) and in_any_order(right, value):
-        return f"it is {_kind(value)}; the task asks for a set: set(…)"
-    if isinstance(right, list | tuple) and isinstance(value, set | frozenset):
-        return f"it is a set, which has no order; the task asks for {_kind(right)}"
-    if call.function.compare is exactly and near(1e-9)(right, value):
+def _nothing_returned(wrong: Wrong) -> str | None:
+    printed = bool(wrong.answer.get("printed"))
+    why = why_none(wrong.text, wrong.answer.get("left on"), printed=printed)
+    if why is None and isinstance(wrong.right, list | tuple | set | dict) and not wrong.right:
+        return f"an empty {type(wrong.right).__name__} is asked for, not None: return that"
+    return why
+
+
+def _no_answer_yet(wrong: Wrong) -> str | None:
+    """An async function, or one with a yield."""
+    value, name = wrong.value, wrong.call.function.name
+    if not isinstance(value, Other):
+        return None
+    if value.what == "a coroutine" or isinstance(wrong.text.function, ast.AsyncFunctionDef):
+        return f"{name} is an async function, so calling it gives no answer yet: leave out async"
+    if value.what == "a generator" and any(
+        isinstance(each, ast.Yield | ast.YieldFrom) for each in wrong.text.own_nodes()
+    ):
+        return f"{name} has a yield, so calling it gives a generator: gather a list and return it"
+    if value.what in _FUNCTIONS:
+        return "it returns a function itself: to use what that gives, call it with brackets"
+    return None
+
+
+_FUNCTIONS = ("a function", "a builtin_function_or_method", "a method")
+
+
+def _floats(wrong: Wrong) -> str | None:
+    if wrong.call.function.compare is exactly and near(1e-9)(wrong.right, wrong.value):
+        if _has_decimals(wrong.value):
+            return "the numbers are right, but they are Decimals: int() makes whole numbers of them"
         return (
             "the numbers are right, but they are floats where whole numbers are wanted: "
             "math.floor() and int() make whole numbers, .astype(int) those of an array"
@@ -132,26 +130,14 @@ def _other_kind(wrong: Wrong) -> str | None:
     return None
 
 
-def _kind(value: Any) -> str:
-    if isinstance(value, tuple) and 0 < len(value) <= 4:
-        return f"a tuple of {len(value)}, such as {shown(value)}"
-    names: dict[type, str] = {
-        list: "a list",
-        tuple: "a tuple",
-        set: "a set",
-        dict: "a dict",
-        str: "a text",
-    }
-    if isinstance(value, bool):
-        return "True or False"
-    if isinstance(value, int):
-        return "a whole number"
-    return "a number" if isinstance(value, float) else names.get(type(value), shown(value))
+def _has_decimals(value: Any) -> bool:
+    parts = value if isinstance(value, list | tuple) else [value]
+    return any(isinstance(each, DecimalFloat) for each in parts)
 
 
 def _not_changed(wrong: Wrong) -> str | None:
     name = wrong.call.function.changes
-    if name is None or "returned" not in wrong.answer:
+    if "returned" not in wrong.answer:
         return None
     try:
         returned = decoded(wrong.answer["returned"])

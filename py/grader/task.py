@@ -15,6 +15,7 @@ from grader.declare import Check, Function, Mistake, Scoring, mistakes_of
 from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramFailed
 from grader.functions import fault_text, judge_steps
 from grader.jobs import Desk, Group
+from grader.loops import loop_in
 from grader.runs import Run
 from grader.trials import Trial
 from performer.values import shown
@@ -35,7 +36,6 @@ class Task:
         self._desk = desk
         self._plans: list[tuple[Group, list[Step]]] = []
         self._constants: dict[str, Any] = {}
-        self._program = desk.program
         self._runs: list[Run] = []
         self.trials_made: list[Trial] = []
 
@@ -69,6 +69,18 @@ class Task:
     def set(self, name: str, value: Any) -> None:
         """Run the program anew, with another value in its `name = …`, for the calls after this."""
         self._constants = {**self._constants, name: value}
+
+    def no_loop(self, function: Function, instead: str) -> None:
+        """Expect no loop in what the learner has written of a function and of what it calls.
+
+        instead  what does its work: "NumPy works on all the points at once"
+        """
+        found = loop_in(self._desk.source.of(function.name))
+        if found is not None:
+            line, what = found
+            raise CheckFailed(
+                f"{function.name} without a loop: {instead}", f"line {line} has {what}"
+            )
 
     def variable(
         self,
@@ -115,8 +127,8 @@ class Task:
         seconds   simulated seconds that it may take
         mistakes  likely slips: (what the learner is told, run -> whether it looks like it[, hint])
         """
-        slips = mistakes_of(mistakes, "task.run(…)")
-        run = self._run(world, seed, seconds).with_mistakes(slips, self._program)
+        slips = self._that_can_be(mistakes, "task.run(…)")
+        run = self._run(world, seed, seconds).with_mistakes(slips)
         self._runs.append(run)
         run.must_have_ended()
         return run
@@ -142,13 +154,13 @@ class Task:
         """
         if not seeds or len(set(seeds)) != len(seeds):
             raise AuthorError(f"task.trials(…) wants different seeds; it got {shown(list(seeds))}")
-        slips = mistakes_of(mistakes, "task.trials(…)")
+        slips = self._that_can_be(mistakes, "task.trials(…)")
         runs = []
         wanting = 0
         for seed in seeds:
             try:
                 run = self._run(world, seed, seconds)
-                runs.append(run.with_mistakes(slips, self._program))
+                runs.append(run.with_mistakes(slips))
             except NeedsJob:  # the others are asked for as well: they can be made side by side
                 wanting += 1
         if wanting:
@@ -157,6 +169,13 @@ class Task:
         made = [Trial(run, layers, scored, alone=len(runs) == 1, known=known) for run in runs]
         self.trials_made += made
         return made
+
+    def _that_can_be(
+        self, mistakes: Sequence[Mistake | tuple[Any, ...]], call: str
+    ) -> tuple[Mistake, ...]:
+        """The mistakes that the program, as it is written, allows."""
+        text = self._desk.source.of()
+        return tuple(each for each in mistakes_of(mistakes, call) if each.can_be(text))
 
     def _run(self, world: str, seed: int, seconds: float) -> Run:
         job, result = self._desk.run(world, seed, seconds)
@@ -229,10 +248,10 @@ class Task:
         for group, steps in self._plans:
             reply, died = self._desk.answers(group)
             answers = _answers_in(reply)
-            judge_steps(steps, answers, others, group.world, self._program)
+            judge_steps(steps, answers, others, group.world, self._desk.source)
             if died is not None:
                 raise ProgramFailed("a program whose functions can be called", died)
-            if len(answers) < len(steps) or _fault_in(reply) is not None:
+            if len(answers) < len(steps) or reply.get("status") != "finished":
                 raise _cut_short(reply, group, len(answers))
         for run in self._runs:
             run.must_have_seen_its_maps()
@@ -245,13 +264,12 @@ def _answers_in(reply: Any) -> list[dict[str, Any]]:
     answers = reply.get("answers") if isinstance(reply, dict) else None
     if not isinstance(answers, list):
         return []
-    fault = _fault_in(reply)
     sound = []
     for each in answers:
         if not isinstance(each, dict) or each.get("skipped"):
             break
         # A program that stopped half-way may not have come to what the function needs.
-        if fault is not None and ("missing" in each or _misses_a_name(each)):
+        if _stopped_early(reply) and ("missing" in each or _misses_a_name(each)):
             break
         sound.append(each)
     return sound
@@ -260,6 +278,11 @@ def _answers_in(reply: Any) -> list[dict[str, Any]]:
 def _fault_in(reply: Any) -> dict[str, Any] | None:
     fault = reply.get("fault") if isinstance(reply, dict) else None
     return fault if isinstance(fault, dict) else None
+
+
+def _stopped_early(reply: dict[str, Any]) -> bool:
+    """Whether an error, a limit or exit() ended the program."""
+    return reply.get("status") != "finished" or reply.get("left") is True
 
 
 def _misses_a_name(answer: dict[str, Any]) -> bool:

@@ -13,8 +13,9 @@ An answer is one of
     {"parameters": "(x)"}  it can't be called with so many arguments
     {"skipped": true}      an earlier call never came back
 
-A value comes with "printed": true if the call has printed something, and with "returned" if a
-function that was to change an argument has returned something as well.
+A value comes with "printed": true if the call has printed something, None with "left on", the line
+on which the function was left, and what a function leaves in the argument that it was to change
+with "returned" if it has returned something as well.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ class _TooLate(BaseException):
 
 
 class Caller:
-    """Makes the calls of one group and keeps the answers."""
+    """Makes the calls of one group, whatever ended the program, and keeps the answers."""
 
     def __init__(
         self,
@@ -58,7 +59,10 @@ class Caller:
         self._program = program
         self._filename = filename
         self.late_on: int | None = None
-        """The line on which the program was when it had computed for too long."""
+        """The line on which a call was when it had computed for too long."""
+        self.stopped_on: int | None = None
+        """The line on which the program was ended because it had computed for too long."""
+        self._left_on: int | None = None
         self._until = 0.0
         self._before: Any = None
         """Who looked on before: a debugger, a measure of coverage, or nobody."""
@@ -71,6 +75,7 @@ class Caller:
     def make_calls(self, module: ModuleType) -> None:
         """Make all calls; for `run_program`, once the program has come to its end."""
         sys.settrace(self._before)
+        self.stopped_on, self.late_on = self.late_on, None
         vars(module).update(self._names)
         for call in self._calls:
             if self.late:
@@ -111,6 +116,7 @@ class Caller:
         self, function: Callable[..., Any], arguments: list[Any], changes: int | None
     ) -> dict[str, Any]:
         before = self._printed()
+        self._left_on = None
         try:
             # The values are taken apart in time as well: their classes may be the program's own.
             answer: dict[str, Any] = self.patient(
@@ -133,6 +139,8 @@ class Caller:
             }
         if self._printed() != before:
             answer["printed"] = True
+        if answer["value"] is None and self._left_on is not None:
+            answer["left on"] = self._left_on
         return answer
 
     def _printed(self) -> tuple[int, int]:
@@ -156,9 +164,11 @@ class Caller:
         finally:
             sys.settrace(before)
 
-    def _on_line(self, frame: FrameType, _event: str, _argument: Any) -> Any:
+    def _on_line(self, frame: FrameType, event: str, _argument: Any) -> Any:
         if frame.f_code.co_filename != self._filename:
             return None
+        if event == "return":
+            self._left_on = frame.f_lineno  # the last to return is the function that was called
         if real_time() > self._until:
             self.late_on = frame.f_lineno
             raise _TooLate

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["CALLS_LIMITS", "CALL_S", "PROGRAM_S", "RUN_LIMITS"]
+__all__ = ["AGAIN_S", "CALLS_LIMITS", "CALL_S", "PROGRAM_S", "RUN_LIMITS"]
 
 RUN_LIMITS: dict[str, Any] = {
     "simulated_s": 120.0,
@@ -19,10 +19,14 @@ RUN_LIMITS: dict[str, Any] = {
 """Of a run; each check names its own simulated seconds. `real_s` is for whoever runs the
 performer: after so many real seconds the interpreter is ended."""
 
-CALLS_LIMITS = {**RUN_LIMITS, "real_s": 30.0}
+CALLS_LIMITS = {**RUN_LIMITS, "silent_s": 20.0, "real_s": 40.0}
+"""`silent_s` is more than PROGRAM_S: the functions are called after that."""
 
 PROGRAM_S = 10.0
 """Real seconds that a program may take to its end before its functions are called."""
+
+AGAIN_S = 1.0
+"""The same, once it has taken that: what it defines is there long before."""
 
 CALL_S = 2.0
 """Real seconds that one call of a learner's function may take."""

@@ -15,12 +15,12 @@ from functools import partial
 from typing import Any
 
 from bugbot.run.limits import Limits
-from bugbot.run.program import run_program
+from bugbot.run.program import LEFT, run_program
 from bugbot.trace import Trace
 from performer.calling import Caller
 from performer.constants import unwritten, with_constants
 from performer.fence import fenced
-from performer.limits import PROGRAM_S
+from performer.limits import AGAIN_S, PROGRAM_S
 from performer.refusal import refusal
 from performer.values import decoded
 
@@ -88,6 +88,7 @@ def _end_of(trace: Trace) -> dict[str, Any]:
 def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
     answers: list[dict[str, Any]] = []
     late = 0
+    patience = PROGRAM_S
     for group in job["groups"]:
         if late >= _MOST_LATE:
             answers.append({"skipped": True})
@@ -105,10 +106,10 @@ def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
             trace_ready=caller.follow,
             then=caller.make_calls,
         )
-        trace = caller.patient(run, PROGRAM_S)
+        trace = caller.patient(run, patience)
         late += caller.late
-        if caller.late_on is not None and not caller.late:
-            late = _MOST_LATE  # the program itself went on and on: so it would every time
+        if _stopped_on(caller) is not None:
+            patience = AGAIN_S  # the program itself went on and on: so it does every time
         answers.append(_reply(trace, caller))
     return _result(job, answers=answers)
 
@@ -116,15 +117,23 @@ def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
 def _reply(trace: Trace, caller: Caller) -> dict[str, Any]:
     """What a group came to: how the program ended, and the answers up to then."""
     fault = next(trace.of_kind("fault"), None)
+    end = _end_of(trace)
     reply = {
-        **_end_of(trace),
+        **end,
+        "left": LEFT in end["message"],
         "answers": caller.answers,
         "fault": fault and {key: fault[key] for key in ("type", "message", "line", "hint")},
     }
-    if caller.late_on is not None and not caller.late:
+    line = _stopped_on(caller)
+    if line is not None:
         words = (
-            f"Stopped on line {caller.late_on} after {PROGRAM_S:g} s of computing: "
+            f"Stopped on line {line} after {PROGRAM_S:g} s of computing: "
             "is there a loop that never ends?"
         )
         return {**reply, "status": "limit", "message": words, "fault": None}
     return reply
+
+
+def _stopped_on(caller: Caller) -> int | None:
+    """The line on which the program itself was ended, if it computed for too long."""
+    return caller.stopped_on if caller.stopped_on is not None or caller.late else caller.late_on

@@ -1,6 +1,6 @@
 """Values on their way between a learner's program and its judge, and as messages show them.
 
-May import: the standard library.
+May import: the standard library, `bugbot.errors`.
 
 A value is taken apart by its exact type into plain JSON and put together again on the other
 side. So what a program's own class says of itself (`__eq__` that is always True, `__repr__`
@@ -16,7 +16,9 @@ from fractions import Fraction
 from math import isfinite
 from typing import Any
 
-__all__ = ["MalformedError", "Other", "decoded", "encoded", "shown"]
+from bugbot.errors import with_article
+
+__all__ = ["DecimalFloat", "MalformedError", "Other", "decoded", "encoded", "shown"]
 
 _MOST_PARTS = 50_000
 _DEEPEST = 12
@@ -38,6 +40,10 @@ class Other:
 
     def __init__(self, what: str) -> None:
         self.what = what
+
+
+class DecimalFloat(float):
+    """A number that was a Decimal: it counts as a float, and may be named."""
 
 
 class _TooMuchError(Exception):
@@ -104,15 +110,14 @@ def _rational(value: Fraction | Decimal) -> Any:
     if isinstance(value, Fraction) and value.denominator == 1:
         return _encode(value.numerator, 0, [0])
     try:
-        return {"float": repr(float(value))}
+        return {"decimal" if isinstance(value, Decimal) else "float": repr(float(value))}
     except (OverflowError, ValueError):
         return {"other": _a(value)}
 
 
 def _a(value: object) -> str:
     """The value's type with its article: a Cell, an Answer."""
-    name = type(value).__name__[:60]
-    return f"{'an' if name[:1] in 'AEIOUaeio' else 'a'} {name}"
+    return with_article(type(value).__name__[:60])
 
 
 def decoded(data: Any) -> Any:
@@ -137,6 +142,8 @@ def _decode(data: Any) -> Any:
     ((tag, content),) = data.items()
     if tag == "float":
         return float(content)
+    if tag == "decimal":
+        return DecimalFloat(content)
     if tag == "floats":
         return [float(each) for each in content]
     if tag == "int":

@@ -16,12 +16,17 @@ from performer.perform import perform
 
 
 def marks(work: str) -> str:
-    """The marks of a list of {"slug", "worlds", "task", "file", "check", "program"}."""
+    """The marks of a list of {"slug", "worlds", "task", "file", "check", "starter",
+    "program"}."""
     return json.dumps(
         [
             mark_program(
                 each["check"],
-                {"slug": each["slug"], "worlds": each["worlds"]},
+                {
+                    "slug": each["slug"],
+                    "worlds": each["worlds"],
+                    "starters": {each["task"]: each["starter"]},
+                },
                 each["task"],
                 each["program"],
                 perform,

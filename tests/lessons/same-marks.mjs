@@ -58,8 +58,9 @@ function workOf(slug) {
         ? ["solution.py", ...wrongs.slice(0, 1)]
         : ["starter.py", "solution.py", ...wrongs];
       const check = read(join(folder, name, "check.py"));
+      const starter = read(join(folder, name, "starter.py"));
       return files.map((file) => ({
-        ...{ slug, worlds, task: name, file, check },
+        ...{ slug, worlds, task: name, file, check, starter },
         program: read(join(folder, name, file)),
       }));
     });

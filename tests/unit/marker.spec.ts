@@ -76,7 +76,14 @@ function marking(steps: readonly string[], perform: Script = done) {
   let next = 0;
   const judge: Script = () => ({ kind: "step", id: 0, step: steps[next++] ?? "" });
   const marker = new Marker(
-    { lesson: "tiny", task: "cell-of", check: "check", program: "program", worlds: [] },
+    {
+      lesson: "tiny",
+      task: "cell-of",
+      check: "check",
+      program: "program",
+      starter: "starter",
+      worlds: [],
+    },
     { onProgress: (one) => progress.push(one) },
     {
       take: async () => {

@@ -177,3 +177,8 @@ def another_size(task):
         [[32, 74], [199, 199], [210, 30], [30, 230]],
         gives=[(1, 2), (7, 7)],
     )
+
+
+@check("Without a loop", hint=0)
+def without_a_loop(task):
+    task.no_loop(cells_of, "NumPy works on all the points at once")

@@ -227,3 +227,8 @@ def another_size(task):
     task.set("ACROSS", 20)
     task.call(CELLS_OF_10, 105, 45, 29, 83, world="wall-askew")
     task.call(CELLS_OF_10, 175, 185, 40, 60.7, world="wall-askew")
+
+
+@check("Without a loop", hint=0)
+def without_a_loop(task):
+    task.no_loop(cells_passed, "NumPy works on all the steps at once")

@@ -17,7 +17,7 @@ from pathlib import Path
 from types import TracebackType
 
 import bugbot
-from bugbot.errors import BugbotError
+from bugbot.errors import BugbotError, with_article
 from bugbot.run.slips import likely_cause
 from bugbot.run.slips.arguments import plain_arguments
 from bugbot.run.slips.case import Case, lines_of
@@ -180,15 +180,7 @@ def _message(case: Case, error: BaseException) -> str:
 def _without_words(error: BaseException) -> str:
     if isinstance(error, AssertionError):
         return "what the assert says is not so"
-    name = type(error).__name__
-    return f"{'an' if _begins_with_a_vowel(name) else 'a'} {name}, without a message"
-
-
-def _begins_with_a_vowel(name: str) -> bool:
-    """As it is spoken: an IndexError, an OSError, an UnboundLocalError, but a UnicodeError."""
-    if name[:2].isupper():  # letter by letter
-        return name[0] in "AEFHILMNORSX"
-    return name[0] in "AEIOaeio" or re.match(r"[Uu]n(?!i)", name) is not None
+    return f"{with_article(type(error).__name__)}, without a message"
 
 
 def _short(text: str, longest: int) -> str:

@@ -11,7 +11,8 @@ next line.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from types import FrameType
 from typing import Any, NoReturn
@@ -108,6 +109,17 @@ class Meter:
             f"after {self.limits.simulated_s:g} simulated seconds: one run may last no longer. "
             "A loop that should end on its own needs a condition, or break."
         )
+
+    @contextmanager
+    def set_aside(self) -> Iterator[None]:
+        """Inside this block a limit that is reached does not count, unless it is reached again."""
+        over, line = self.over, self.line
+        self.over = self.line = None
+        try:
+            yield
+        finally:
+            if self.over is None:
+                self.over, self.line = over, line
 
     def silence(self, frame: FrameType | None) -> None:
         """The run is over: it computes, in this frame, and no time passes. The watchdog raises."""

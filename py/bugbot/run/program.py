@@ -21,7 +21,10 @@ from bugbot.run.watchdog import Still, watched
 from bugbot.trace import Trace, storable
 from bugbot.worlds import World
 
-__all__ = ["run_program"]
+__all__ = ["LEFT", "run_program"]
+
+LEFT = "the program left"
+"""In the message of the end of a program that called exit()."""
 
 _USUAL_LIMITS = Limits()
 
@@ -57,8 +60,8 @@ def run_program(
     on_still     called, once a standstill, when the program has computed for `STILL_S` of real
                  time and no simulated time has passed; is told the line. No part of the trace
     on_print     called with all that is printed, at once: for a host whose interpreter may break
-    then         called with the program's module when the program has come to its end, or has
-                 stopped with an ordinary error, still as a part of the run
+    then         called with the program's module when the program has come to its end or was
+                 ended, by an error, exit() or a limit, still as a part of the run
 
     The same arguments give the same trace. Whatever the program does wrong is in the trace
     (`fault` and `end` events), never raised. Raises WorldError for a world that is none, and
@@ -91,7 +94,7 @@ def run_program(
     give_up_at = give_up if on_stuck else None
     with connected(link), watched(meter, link.now, filename, give_up_at, on_still):
         with hosted(module, source, seed, link, out, err):
-            error = _carry_out(source, module, filename, then)
+            error = _carry_out(source, module, filename, then, meter)
         # Python is the host's again, whatever the program has done to it. But the text of an
         # error may be made by the learner's own code, which may print, or never end.
         with redirect_stdout(cast(TextIO, out)), redirect_stderr(cast(TextIO, err)):
@@ -104,17 +107,24 @@ def run_program(
 
 
 def _carry_out(
-    source: str, module: ModuleType, filename: str, then: Callable[[ModuleType], None] | None
+    source: str,
+    module: ModuleType,
+    filename: str,
+    then: Callable[[ModuleType], None] | None,
+    meter: Meter,
 ) -> BaseException | None:
     """Run the program in its module; what ended it, or None if it came to its end."""
-    failed: Exception | None = None
+    failed: BaseException | None = None
     try:
         try:
             exec(compile(source, filename, "exec", dont_inherit=True), vars(module))
-        except Exception as error:
+        except KeyboardInterrupt:
+            raise
+        except BaseException as error:
             failed = error
         if then is not None:
-            then(module)
+            with meter.set_aside():
+                then(module)
     except BaseException as error:
         return error
     return failed
@@ -132,7 +142,7 @@ def _ending(error: BaseException | None, source: str, link: Link, meter: Meter) 
         if isinstance(error.code, str):  # as Python does at the command line
             goodbye = storable(error.code[:_LONGEST_GOODBYE])
             link.trace.write(link.now(), "stderr", f"{goodbye}\n")
-        return "finished", f"Finished after {_seconds(link)}: the program left{on_line}."
+        return "finished", f"Finished after {_seconds(link)}: {LEFT}{on_line}."
     if isinstance(error, KeyboardInterrupt):
         return "stopped", f"Stopped{on_line} after {_seconds(link)}."
     fault = fault_of(error, source, link.filename)

@@ -86,11 +86,11 @@ export class BugbotTask extends LitElement {
   async #check(): Promise<void> {
     if (this.#marking.phase === "marking") return;
     const { lesson, progress } = this.#services;
-    const { check } = this.#data;
+    const { check, starter } = this.#data;
     const { program } = this.#lab;
     this.#program = program;
     this.#note = null;
-    const request = { lesson: lesson.lesson, task: this.name, check, program };
+    const request = { lesson: lesson.lesson, task: this.name, check, program, starter };
     const mark = await this.#marking.mark({ ...request, worlds: lesson.worlds });
     if (!mark || mark.ours !== null) return;
     this.#passedNow = mark.passed && this.#record?.state !== "passed";

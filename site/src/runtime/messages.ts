@@ -74,6 +74,8 @@ export interface JudgeRequest {
   /** The text of check.py. */
   check: string;
   program: string;
+  /** What the learner began with: causes speak only of what has been written since. */
+  starter: string;
   /** The lesson's own worlds, which a check may name. */
   worlds: readonly World[];
 }

@@ -75,7 +75,7 @@ def test_trouble_of_the_whole_program_is_told_once(program: str, expected: str, 
 @pytest.mark.parametrize(
     ("body", "got"),
     [
-        ("return None", "it returned None"),
+        ("return None", "cell_of(32, 74) returned None"),
         ("while True:\n        pass", "it went on computing, on line "),
         ("return cell_of(x, y)", "RecursionError on line "),
         ("raise SystemExit('PASSED')", "SystemExit on line 2: PASSED"),

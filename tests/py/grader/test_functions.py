@@ -137,7 +137,7 @@ def test_what_was_changed_is_told() -> None:
     ("body", "likely"),
     [
         ("print(x // 10, y // 10)", "it prints its answer"),
-        ("pass", "it returns None: a function hands back"),
+        ("pass", "a function hands back its answer with return"),
         ("return None if x > 0 else (0, 0)", None),
     ],
 )
@@ -147,7 +147,7 @@ def test_what_was_returned_is_told_though_the_given_code_breaks_on_it(
     start = f"def cell_of(x, y):\n    {body}\n"
     first = failed(marked(CELL, f"{start}\ncolumn, row = cell_of(32, 74)\nprint(column)\n"))
     assert first["expected"] == "cell_of(32, 74) gives (3, 7)"
-    assert first["got"] == "it returned None"
+    assert first["got"] == "cell_of(32, 74) returned None"
     assert (first["likely"] or "None").startswith(likely or "None")
 
 
@@ -209,7 +209,7 @@ def test_none_for_an_empty_list_is_told_as_that() -> None:
         "def evens(n):\n    return list(range(n)) if n > 5 else None\ndef clear(c): c.clear()\n"
     )
     first = failed(marked(check.replace("5)", "0)"), program))
-    assert first["likely"] == "it gives None where an empty list is asked: return that"
+    assert first["likely"] == "an empty list is asked for, not None: return that"
 
 
 def test_expected_is_never_the_same_text_as_got() -> None:
@@ -237,12 +237,21 @@ def test_a_slip_that_raises_explains_the_same_error() -> None:
 @pytest.mark.parametrize(
     ("body", "likely"),
     [
-        ("x", "it returns None"),
+        ("x", "a function hands back its answer with return, and this one has no return"),
         ("print(x)", "it prints its answer instead of returning it"),
         ("return x // 10 + 0.0, y // 10 + 0.0", "the numbers are right, but they are floats"),
-        ("return str((x // 10, y // 10))", "it gives a text, not a value"),
-        ("return (each // 10 for each in (x, y))", "it gives generator, which is not a list yet"),
-        ("return map(int, (x / 10, y / 10))", "it gives map, which is not a list yet"),
+        (
+            "return str((x // 10, y // 10))",
+            "it is a text, '(3, 7)'; the task asks for a tuple of 2, such as (3, 7): leave out",
+        ),
+        (
+            "return (each // 10 for each in (x, y))",
+            "it is a generator, which is no tuple yet: put tuple() round it",
+        ),
+        (
+            "return map(int, (x / 10, y / 10))",
+            "it is a map, which is no tuple yet: put tuple() round it",
+        ),
         ("return 1, 2", "it gives the same answer whatever it is asked"),
     ],
 )

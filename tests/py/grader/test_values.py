@@ -17,7 +17,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from performer.values import MalformedError, Other, decoded, encoded, shown
+from performer.values import DecimalFloat, MalformedError, Other, decoded, encoded, shown
 
 
 class Colour(IntEnum):
@@ -82,7 +82,7 @@ def test_a_float_survives_a_language_with_one_kind_of_number() -> None:
         (print, "a builtin_function_or_method"),
         (object(), "an object"),
         (array("d", [1.0]), "an array"),
-        (type("X" * 100, (), {})(), f"a {'X' * 60}"),
+        (type("X" * 100, (), {})(), f"an {'X' * 60}"),
         ([0] * 100_000, "a list of more than 50000 parts, or 12 deep"),
     ],
 )
@@ -203,7 +203,7 @@ def test_values_are_shown_short(value: object, text: str) -> None:
     [
         (Fraction(10, 2), 5),
         (Fraction(1, 2), 0.5),
-        (Decimal("5.0"), 5.0),
+        (Decimal("5.0"), DecimalFloat(5.0)),
         (range(3), [0, 1, 2]),
         ({(1, frozenset([2])): 3}, {(1, frozenset([2])): 3}),
     ],

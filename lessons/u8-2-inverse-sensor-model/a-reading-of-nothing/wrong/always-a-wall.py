@@ -16,7 +16,8 @@ START = (30, 30)  # where the robot starts on the mat
 def beam_says(x, y, angle, reading):
     """The free cells, and the hit or None."""
     free = cells_along(x, y, angle, reading - CELL)
-    hit = cell_of(*end_of_beam(x, y, angle, reading))
+    end_x, end_y = end_of_beam(x, y, angle, reading)
+    hit = cell_of(end_x, end_y)
     return free, hit
 
 

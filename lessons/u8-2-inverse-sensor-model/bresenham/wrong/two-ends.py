@@ -13,7 +13,7 @@ def line_of_cells(first, last):
     """The cells of a line, ends included."""
     column, row = first
     cells = [(column, row)]
-    cells.append(last)
+    cells += [last]
     return cells
 
 

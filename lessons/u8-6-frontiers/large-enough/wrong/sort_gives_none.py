@@ -1,4 +1,4 @@
-# earns: it returned None
+# earns: sort() gives, and that is None
 # Large enough
 #
 # Most of the small regions are noise at a wall. Your

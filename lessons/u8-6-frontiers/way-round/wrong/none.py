@@ -1,4 +1,4 @@
-# earns: it gives None where an empty list is asked
+# earns: an empty list is asked for, not None
 # A way round
 #
 # The red dot is not to be reached in a straight line.

@@ -1,0 +1,115 @@
+"""Answers of another kind than is asked, None, and programs that end early."""
+
+from __future__ import annotations
+
+import pytest
+from judged import CELL, RIGHT, failed, marked, statuses
+
+HEAD = """import math
+from decimal import Decimal
+from dataclasses import dataclass
+
+@dataclass
+class Cell:
+    column: int
+    row: int
+
+"""
+COUNTED = "item 0 (counted from 0)"
+
+
+@pytest.mark.parametrize(
+    ("body", "likely"),
+    [
+        ("return Cell(3, 7)", "it is a Cell; the task asks for a tuple of 2, such as (3, 7)"),
+        ("return {'x': 3}", "it is a dict; the task asks for a tuple of 2"),
+        ("return float('nan'), 3", f"{COUNTED} is nan, which comes from sums without an answer"),
+        ("return math.inf, 3", f"{COUNTED} is infinite"),
+        ("return object(), 3", f"{COUNTED} is an object; the task asks for a whole number"),
+        ("return Decimal(int(x // 10)), y // 10", "the numbers are right, but they are Decimals"),
+        ("return '3', '7'", f"{COUNTED} is a text, '3'; the task asks for a whole number"),
+        ("return True, 7", f"{COUNTED} is True; the task asks for a whole number"),
+        ("return True", "it is True; the task asks for a tuple of 2"),
+        ("return 3", "it is a whole number; the task asks for a tuple of 2"),
+        ("return {3, 7}", "it is a set, which has no order; the task asks for a tuple of 2"),
+        ("return enumerate([3])", "it is an enumerate, which is no tuple yet: put tuple()"),
+        ("yield 3\n    yield 7", "cell_of has a yield, so calling it gives a generator"),
+        ("return math.floor", "it returns a function itself"),
+        ("return [1, 2, 3]", "it gives the same answer whatever it is asked"),
+    ],
+)
+def test_the_kind_that_is_asked_and_given_is_told(body: str, likely: str) -> None:
+    first = failed(marked(CELL, f"{HEAD}def cell_of(x, y):\n    {body}\n"))
+    assert first["likely"].startswith(likely)
+
+
+def test_an_async_function_is_told() -> None:
+    first = failed(marked(CELL, "async def cell_of(x, y):\n    return 3, 7\n"))
+    assert first["likely"].startswith("cell_of is an async function")
+
+
+ONE = """
+from grader import check, function
+
+f = function("f(x)", lambda x: [x])
+
+@check("It")
+def it(task):
+    task.call(f, 3)
+"""
+NO_RETURN = "a function hands back its answer with return, and this one has no return"
+
+
+@pytest.mark.parametrize(
+    ("body", "likely"),
+    [
+        ("y = x", NO_RETURN),
+        ("return", NO_RETURN),
+        ("def g():\n        return 1\n    g()", NO_RETURN),
+        ("print([x])", "it prints its answer instead of returning it"),
+        (
+            "print(x)\n    if x > 5:\n        return [x]",
+            "it came to its end without a return: line 3 was the last that it did",
+        ),
+        ("if x > 3:\n        return [x]\n    return", "the return on line 4 has nothing after it"),
+        ("if x > 3:\n        return [x]\n    return None", None),
+        ("return [].append(x)", "line 2 returns what append() gives, and that is None"),
+        ("return print(x)", "print() itself gives None, and line 2 returns just that"),
+        ("return {}.get(x)", None),
+    ],
+)
+def test_none_is_explained_by_what_happened(body: str, likely: str | None) -> None:
+    first = failed(marked(ONE, f"def f(x):\n    {body}\n"))
+    assert first["got"] == "f(3) returned None"
+    if likely is None:
+        assert first["likely"] is None
+    else:
+        assert first["likely"].startswith(likely)
+
+
+WRONG = "def cell_of(x, y):\n    return 0, 0\n"
+
+
+@pytest.mark.parametrize(
+    "rest",
+    [
+        "from bugbot import *\nwhile True:\n    wait(1)\n",
+        "while True:\n    print('x' * 1000)\n",
+        "exit()\n",
+        "1 / 0\n",
+    ],
+)
+def test_the_functions_are_judged_whatever_ends_the_code_that_shows_them(rest: str) -> None:
+    assert failed(marked(CELL, WRONG + rest))["got"] == "(0, 0)"
+
+
+def test_a_program_that_leaves_after_its_functions_passes() -> None:
+    assert marked(CELL, f"{RIGHT}exit()\n")["passed"]
+    late = marked(CELL, f"exit()\n{RIGHT}")
+    assert failed(late)["got"] == "Finished after 0 s: the program left on line 1."
+
+
+def test_a_program_without_an_end_fails_once_its_functions_are_right() -> None:
+    mark = marked(CELL, f"{RIGHT}from bugbot import *\nwhile True:\n    wait(1)\n")
+    assert failed(mark)["expected"] == "a program that comes to its end"
+    assert statuses(mark) == ["failed", "not run"]
