@@ -1,4 +1,4 @@
-# earns: line 19 has a for loop
+# earns: has a for loop
 # Many points at once
 #
 # Write cells_of with NumPy and without a

@@ -1,4 +1,4 @@
-# earns: line 18 has vectorize(), which goes
+# earns: has vectorize(), which goes
 # Many points at once
 #
 # Write cells_of with NumPy and without a
