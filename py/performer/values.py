@@ -10,6 +10,7 @@ float is written as text, because JavaScript on the way would make 2 of 2.0.
 
 from __future__ import annotations
 
+from array import array
 from collections import deque
 from decimal import Decimal
 from fractions import Fraction
@@ -81,7 +82,7 @@ def _encode(value: Any, depth: int, parts: list[int]) -> Any:
         return {"float": repr(float.__add__(value, 0.0))}
     if kind is Fraction or kind is Decimal:
         return _rational(value)
-    if kind is range:
+    if kind in (range, bytes, bytearray, array):
         return _encode(list(value[: _MOST_PARTS + 1]), depth, parts)
     if kind.__module__ == "numpy" and hasattr(value, "tolist"):
         return _encode(value.tolist(), depth, parts)

@@ -1,9 +1,13 @@
 """image_rows(log_odds, across) and settings(image, cell_cm): a map as ROS has it in files."""
 
-from grader import check, function
+from math import isclose
+from posixpath import normpath
+
+from bugbot.errors import WrongValueError
+from grader import check, function, near
 from mapping.log_odds import probability
-from mapping.map_yaml import Reader
-from mapping.ros_map import FREE_THRESH, OCCUPIED_THRESH, cells_of
+from mapping.map_yaml import settings_of
+from mapping.ros_map import FREE_THRESH, OCCUPIED_THRESH, Reader, cells_of
 
 FREE, UNKNOWN, OCCUPIED = 254, 205, 0
 
@@ -27,6 +31,7 @@ def rows(
 image_rows = function(
     "image_rows(log_odds, across)",
     rows(),
+    compare=near(0),  # an array's greys may be floats
     mistakes=[
         (
             "the first row is the bottom of the map: an image begins at the top",
@@ -58,8 +63,11 @@ image_rows = function(
 )
 
 
-def said(**changed):
-    """The settings that are right, or a slip of them."""
+NAMES = ("image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh")
+
+
+def said(without=None, **changed):
+    """The settings that are right, or a mistake in them."""
 
     def settings(image, cell_cm):
         right = {
@@ -70,48 +78,77 @@ def said(**changed):
             "occupied_thresh": OCCUPIED_THRESH,
             "free_thresh": FREE_THRESH,
         }
-        return {**right, **{key: value(cell_cm) for key, value in changed.items()}}
+        told = right | {name: value(cell_cm) for name, value in changed.items()}
+        return {name: value for name, value in told.items() if name != without}
 
     return settings
 
 
-GREYS = [[OCCUPIED, UNKNOWN, FREE]]
+def in_yaml(value):
+    """A value as YAML has it: quotes stand round a text, brackets round a list."""
+    if not isinstance(value, str):
+        return value
+    text = value.strip()
+    if text[:1] + text[-1:] == "[]":
+        return [in_yaml(part) for part in text[1:-1].split(",")]
+    quoted = len(text) > 1 and text[0] == text[-1] and text[0] in "'\""
+    return text[1:-1] if quoted else text
 
 
-def read(said):
-    """What the readers of ROS make of the three greys beside these settings."""
-    return [cells_of(GREYS, said, reader) for reader in Reader]
-
-
-def same(expected, got):
-    """Whether a map is read alike by these settings: its image, place, scale and cells."""
+def read(told, reader):
+    """What a reader makes of the settings and the greys of three states, or why it refuses."""
+    said = {name: in_yaml(value) for name, value in told.items()}
     try:
-        return (
-            got["image"] == expected["image"]
-            and abs(got["resolution"] - expected["resolution"]) < 1e-9
-            and list(got["origin"]) == expected["origin"]
-            and read(got) == read(expected)
-        )
-    except (KeyError, TypeError, ValueError):
-        return False
+        settings = settings_of(said, reader)
+    except WrongValueError as error:
+        return str(error).partition("; it is")[0]
+    (cells,) = cells_of([[OCCUPIED, UNKNOWN, FREE]], said, reader)
+    return normpath(settings.image), settings.resolution, settings.origin, cells
 
+
+def read_alike(expected, got):
+    """Whether every reader makes the same map of both."""
+    return isinstance(got, dict) and all(
+        alike(read(expected, reader), read(got, reader)) for reader in Reader
+    )
+
+
+def alike(one, other):
+    if isinstance(one, str) or isinstance(other, str):
+        return one == other
+    image, side, corner, cells = one
+    lengths = zip((side, *corner), (other[1], *other[2]), strict=True)
+    same_place = all(isclose(a, b, rel_tol=1e-9, abs_tol=1e-9) for a, b in lengths)
+    return (image, cells) == (other[0], other[3]) and same_place
+
+
+READ_AS_FREE = "with that free_thresh grey 205 is read as free: its p is 50/255 = 0.196"
 
 settings = function(
     "settings(image, cell_cm)",
     said(),
-    compare=same,
+    compare=read_alike,
     mistakes=[
+        (READ_AS_FREE, said(free_thresh=lambda _: 0.25), 2),
+        (READ_AS_FREE, said(free_thresh=lambda _: 50 / 255), 2),
         (
-            "with that free_thresh grey 205 is read as free: its p is 50/255 = 0.196",
-            said(free_thresh=lambda _: 0.25),
+            "with that occupied_thresh grey 205 is read as occupied: its p is 50/255 = 0.196",
+            said(occupied_thresh=lambda _: 0.1),
             2,
         ),
         ("ROS counts in metres: a cell of 5 cm has the resolution 0.05", said(resolution=float), 2),
+        (
+            "0.05 was typed in: the resolution comes from cell_cm",
+            said(resolution=lambda _: 0.05),
+            2,
+        ),
         (
             "negate is 1 only where white is occupied: here it is 0",
             said(negate=lambda _: 1),
             2,
         ),
+        ("the origin has three numbers: x, y and the turn", said(origin=lambda _: [0, 0]), 2),
+        *((f"the setting {name} is missing", said(without=name), 2) for name in NAMES),
     ],
 )
 
@@ -137,3 +174,4 @@ def between(task):
 def beside(task):
     task.call(settings, "map.pgm", 5)
     task.call(settings, "flat.pgm", 10)
+    task.call(settings, "lab.pgm", 2.5)

@@ -81,7 +81,7 @@ def test_a_float_survives_a_language_with_one_kind_of_number() -> None:
     [
         (print, "a builtin_function_or_method"),
         (object(), "an object"),
-        (array("d", [1.0]), "an array"),
+        (iter([]), "a list_iterator"),
         (type("X" * 100, (), {})(), f"an {'X' * 60}"),
         ([0] * 100_000, "a list of more than 50000 parts, or 12 deep"),
     ],
@@ -205,6 +205,9 @@ def test_values_are_shown_short(value: object, text: str) -> None:
         (Fraction(1, 2), 0.5),
         (Decimal("5.0"), DecimalFloat(5.0)),
         (range(3), [0, 1, 2]),
+        (bytes([0, 205, 254]), [0, 205, 254]),
+        (bytearray(2), [0, 0]),
+        (array("B", [205]), [205]),
         ({(1, frozenset([2])): 3}, {(1, frozenset([2])): 3}),
     ],
 )
