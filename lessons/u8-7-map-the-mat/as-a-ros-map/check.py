@@ -3,11 +3,10 @@
 from math import isclose
 from posixpath import normpath
 
-from bugbot.errors import WrongValueError
 from grader import check, function, near
 from mapping.log_odds import probability
-from mapping.map_yaml import settings_of
-from mapping.ros_map import FREE_THRESH, OCCUPIED_THRESH, Reader, cells_of
+from mapping.map_yaml import Reader, settings_of
+from mapping.ros_map import FREE_THRESH, OCCUPIED_THRESH, cells_of
 
 FREE, UNKNOWN, OCCUPIED = 254, 205, 0
 
@@ -100,7 +99,7 @@ def read(told, reader):
     said = {name: in_yaml(value) for name, value in told.items()}
     try:
         settings = settings_of(said, reader)
-    except WrongValueError as error:
+    except ValueError as error:
         return str(error).partition("; it is")[0]
     (cells,) = cells_of([[OCCUPIED, UNKNOWN, FREE]], said, reader)
     return normpath(settings.image), settings.resolution, settings.origin, cells
