@@ -2,12 +2,19 @@
 import { run } from "../site/build/install.mjs";
 import { check, sideBySide, step } from "./check.mjs";
 
+/** The lessons in which every small change of a solution fails its checks or has its reason. */
+const CLOSED = ["u8-1-a-map-of-cells", "u8-2-inverse-sensor-model", "u8-3-log-odds"];
+
 const start = Date.now();
 await check();
 const { ensureBrowser } = await import("./setup.mjs");
 ensureBrowser();
 // With one noise here; `npm run lesson:check` tries twenty.
 step("lessons", () => run("node", ["site/build/lesson-check.mjs", "--seeds", "1"]));
+// Forty changes of the solutions here; `npm run lesson:mutants` tries them all.
+step("a sample of mutants", () =>
+  run("node", ["site/build/lesson-mutants.mjs", ...CLOSED, "--sample", "40"]),
+);
 step("same marks in the browser's Python", () =>
   run("node", ["tests/lessons/same-marks.mjs", "--few"]),
 );

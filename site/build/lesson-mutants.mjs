@@ -1,6 +1,6 @@
 /**
- * npm run lesson:mutants [-- LESSON [TASK]] [--sample N --seed S] [--list] [--json]: python -m grader
- * mutants. Changes the learner's part of each solution in small ways, one at a time; a change that
+ * npm run lesson:mutants [-- LESSON … | LESSON TASK] [--sample N --seed S] [--list] [--json]: python -m
+ * grader mutants. Changes the learner's part of each solution in small ways, one at a time; a change that
  * passes its checks, and that no equivalent.json explains, is open, and ends this with a fault.
  */
 import { spawnSync } from "node:child_process";

@@ -2,7 +2,7 @@
 
 May import: the standard library, `grader.lesson`, `grader.mutants`.
 
-    python -m grader mutants [LESSON [TASK]] [--sample N --seed S] [--list] [--json]
+    python -m grader mutants [LESSON … | LESSON TASK] [--sample N --seed S] [--list] [--json]
 
 Ends with 1 if a change is open: it passes, and no equivalent.json says why it may.
 """
@@ -29,8 +29,9 @@ _WIDE = 52
 
 def add_arguments(parser: argparse.ArgumentParser, count: Callable[[str], int]) -> None:
     """What can be asked on the command line."""
-    parser.add_argument("lesson", nargs="?", metavar="LESSON", help="only this lesson")
-    parser.add_argument("task", nargs="?", metavar="TASK", help="only this task of it")
+    parser.add_argument(
+        "names", nargs="*", metavar="NAME", help="only these lessons, or a lesson and its task"
+    )
     parser.add_argument("--list", action="store_true", help="print the mutants, and try none")
     parser.add_argument("--sample", type=count, metavar="N", help="try only so many, at random")
     parser.add_argument("--seed", type=int, default=1, help="which ones (1)")
@@ -46,8 +47,10 @@ def mutants(options: argparse.Namespace) -> int:
     slugs, faults = course(options.lessons)
     if faults:
         raise CourseError(str(faults[0]))
-    wanted = slugs if options.lesson is None else [options.lesson]
-    studies = studies_of(options.lessons, wanted, options.task)
+    wanted, task = options.names or slugs, None
+    if len(wanted) == 2 and wanted[1] not in slugs:
+        wanted, task = wanted[:1], wanted[1]
+    studies = studies_of(options.lessons, wanted, task)
     if options.sample is not None:
         sample(studies, options.sample, options.seed)
     if options.list:

@@ -34,7 +34,7 @@ __all__ = ["Study", "sample", "studies_of", "study_all"]
 PY = Path(__file__).resolve().parents[2]
 CACHE = PY.parent / ".cache" / "mutants"
 
-_PACKAGES = ("bugbot", "mapping", "grader")
+_PACKAGES = ("bugbot", "mapping", "performer", "grader")
 _NOT_MARKING = (
     *("grader/classes/", "grader/mutants/", "grader/cli.py", "grader/lesson.py"),
     *("grader/report.py", "grader/schema.py", "grader/standing.py"),
