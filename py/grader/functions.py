@@ -169,4 +169,5 @@ def _judge_look(look: Look, answer: dict[str, Any]) -> None:
     value = _value(answer)
     if not look.compare(look.gives, value):
         expected, got = difference(look.compare, look.gives, value)
-        raise CheckFailed(f"{look.name} is {expected}", got)
+        part = expected.startswith("item ")
+        raise CheckFailed(f"{look.name}{': ' if part else ' is '}{expected}", got)

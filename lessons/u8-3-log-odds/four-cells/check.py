@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from math import exp, floor
 
-from grader import check
+from grader import check, function
 from mapping.beam import clear_length, end_of_hit, passed_by_steps
 from mapping.grid import Grid
 
@@ -190,3 +190,24 @@ def gap(task):
 @check("Beams that find nothing", hint=1)
 def nothing(task):
     lines_follow(task, "open-corner", 14)
+
+
+CORNER_BEAM = (12.5, 12.5, 225, 13.0)
+"""Down to the left through cells 82 and 41 to cell 0, which no other beam of the run gets near."""
+
+add_beam = function("add_beam(x, y, angle, reading)", lambda *_: None, compare=lambda *_: True)
+
+
+def same_in_corner(wanted, got):
+    """The same log odds where any are wanted."""
+    if not isinstance(got, list | tuple) or len(got) != len(wanted):
+        return False
+    return all(abs(got[cell] - l) < 0.001 for cell, l in enumerate(wanted) if l is not None)
+
+
+@check("A beam that ends in the corner of the mat", hint=1)
+def corner(task):
+    task.call(add_beam, *CORNER_BEAM)
+    evidence = {0: 0.85, 41: -0.4, 82: -0.8}
+    wanted = [evidence.get(cell) for cell in range(1600)]
+    task.variable("log_odds", gives=wanted, compare=same_in_corner)

@@ -128,6 +128,8 @@ def _data(study: Study) -> dict[str, Any]:
             "in": mutant.function,
             "line": mutant.line,
             "change": mutant.change,
+            "before": mutant.before,
+            "after": mutant.after,
             "number": mutant.number,
             "why": study.reasons.get(mutant),
         }
