@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -27,6 +28,7 @@ __all__ = [
     "function",
     "mistake",
     "mistakes_of",
+    "noting_mistakes",
     "scoring",
 ]
 
@@ -117,6 +119,18 @@ class _File:
 
 
 _reading: list[_File] = []
+_noted: list[list[Mistake]] = []
+
+
+@contextmanager
+def noting_mistakes() -> Iterator[list[Mistake]]:
+    """Gather the mistakes that check.py files declare meanwhile, for whoever writes them."""
+    found: list[Mistake] = []
+    _noted.append(found)
+    try:
+        yield found
+    finally:
+        _noted.remove(found)
 
 
 def check(title: str, *, hint: int | None = None) -> Callable[[Callable[[Any], object]], Check]:
@@ -201,7 +215,10 @@ def mistakes_of(mistakes: Sequence[Mistake | tuple[Any, ...]], call: str) -> tup
                 f"{call} wants each of its mistakes as (what the learner is told, a function), "
                 f"with the number of a hint after them if need be; it got {each!r}"
             )
-    return tuple(each if isinstance(each, Mistake) else Mistake(*each) for each in mistakes)
+    listed = tuple(each if isinstance(each, Mistake) else Mistake(*each) for each in mistakes)
+    for found in _noted:
+        found += [each for each in listed if each.text not in {known.text for known in found}]
+    return listed
 
 
 def _parsed(signature: str) -> tuple[str, tuple[str, ...]]:

@@ -12,7 +12,7 @@ import { filesBelow, ROOT } from "./files.mjs";
 import { lessonPages } from "./lessons/plugin.mjs";
 import { licences } from "./licences.mjs";
 import { offline } from "./offline.mjs";
-import { preview } from "./preview.mjs";
+import { preview } from "./preview/plugin.mjs";
 import { preparePython } from "./python.mjs";
 import { standalone } from "./standalone.mjs";
 

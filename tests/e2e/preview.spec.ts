@@ -1,52 +1,96 @@
-/** The preview for whoever writes a lesson, in the development server: what learners will be told. */
-import { spawn } from "node:child_process";
-import { readdirSync, readFileSync } from "node:fs";
+/** The page for whoever writes a lesson, in the development server: what learners will be told. */
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import type { AddressInfo } from "node:net";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { expect, test } from "@playwright/test";
-import { ROOT } from "../../site/build/files.mjs";
+import { createServer, type ViteDevServer } from "vite";
+import { filesBelow, ROOT } from "../../site/build/files.mjs";
+import { bugbot } from "../../site/build/plugin.mjs";
 
-const SLUG = "u8-1-a-map-of-cells";
-const LESSON = join(ROOT, "lessons", SLUG);
+/** A course of one lesson, which the story may change. */
+let course: string;
+let server: ViteDevServer;
+let address: string;
 
-test("an instructor sees each wrong attempt beside what it earns @once", async ({ page }) => {
-  test.slow();
-  const server = spawn("node", [join(ROOT, "site/build/dev.mjs")], {
-    env: { ...process.env, PORT: "4391", NO_COLOR: "1" },
+test.beforeAll(async () => {
+  course = mkdtempSync(join(tmpdir(), "course-"));
+  cpSync(join(ROOT, "tests/lessons/tiny-course"), course, { recursive: true });
+  server = await createServer({
+    configFile: false,
+    root: join(ROOT, "site"),
+    cacheDir: join(course, ".vite"),
+    appType: "mpa",
+    logLevel: "error",
+    plugins: [bugbot({ lessons: course })],
+    server: { host: "127.0.0.1", port: 0 },
   });
-  try {
-    const address = await new Promise<string>((resolve, reject) => {
-      let said = "";
-      const hear = (text: Buffer): void => {
-        said += text;
-        const url = /http:\/\/127\.0\.0\.1:\d+\//.exec(said)?.[0];
-        if (url) resolve(url);
-      };
-      server.stdout.on("data", hear);
-      server.stderr.on("data", hear);
-      server.on("exit", () => reject(new Error(said)));
-    });
-    await page.goto(`${address}lessons/${SLUG}/`);
-    await page.getByRole("link", { name: "What learners are told" }).click();
-    await expect(page.getByRole("status")).toHaveText("All marked.", { timeout: 90_000 });
+  await server.listen();
+  const { port } = server.httpServer?.address() as AddressInfo;
+  address = `http://127.0.0.1:${port}/`;
+});
 
-    const { tasks } = JSON.parse(readFileSync(join(LESSON, "lesson.json"), "utf8"));
-    for (const { name, title } of tasks as { name: string; title: string }[]) {
-      const task = page.getByRole("region", { name: title, exact: true });
-      const program = (file: string) =>
-        task.getByRole("article", { name: `${name}/${file}`, exact: true });
-      await expect(program("solution.py")).toContainText("Passed:");
-      await expect(program("starter.py")).toContainText("Not passed:");
-      for (const file of readdirSync(join(LESSON, name, "wrong"))) {
-        const source = readFileSync(join(LESSON, name, "wrong", file), "utf8");
-        const earns = source.split("\n")[0]?.replace("# earns:", "").trim() ?? "";
-        const attempt = program(`wrong/${file}`);
-        await expect(attempt.getByRole("code")).toContainText(source.split("\n")[1] ?? "");
-        await expect(attempt.getByRole("definition").filter({ hasText: earns })).not.toHaveCount(0);
-        await expect(attempt).toContainText("That is what it must earn.");
-      }
-    }
-    await expect(page.getByRole("img", { name: /cells outlined/ })).not.toHaveCount(0);
-  } finally {
-    server.kill();
-  }
+test.afterAll(async () => {
+  await server.close();
+  rmSync(course, { recursive: true });
+});
+
+test("an author sees what each program earns, and what no wrong attempt shows @once", async ({
+  page,
+}) => {
+  test.slow();
+  const attempt = join(course, "one-step/whole-steps/wrong/rounded-up.py");
+  const nearest = join(course, "one-step/whole-steps/wrong/rounded.py");
+  writeFileSync(attempt, readFileSync(attempt, "utf8").replace("# earns: rounded up", "# earns: x"));
+  rmSync(nearest);
+  await page.goto(`${address}preview/one-step/`);
+  const task = page.getByRole("region", { name: "Whole steps" });
+  const row = (file: string) => task.getByRole("group").filter({ hasText: file });
+  await expect(row("wrong/rounded-up.py")).toContainText("Not marked yet");
+
+  // One task is marked, the other is left alone.
+  await task.getByRole("button", { name: "Mark this task" }).click();
+  await expect(row("starter.py")).toContainText("Fails, as it should");
+  await expect(row("solution.py")).toContainText("Passes");
+  await expect(row("wrong/one-too-many.py")).toContainText("Earns its words");
+  await expect(row("wrong/rounded-up.py")).toContainText("Earns other words");
+  const overview = page.getByRole("row", { name: /^Whole steps/ });
+  await expect(overview).toContainText("2 of 3");
+  await expect(page.getByRole("row", { name: /^A step up/ })).toContainText("not marked");
+
+  // A wrong attempt: the program, what a learner reads, and what it should have earned.
+  await row("wrong/rounded-up.py").locator("summary").click();
+  const open = row("wrong/rounded-up.py");
+  await expect(open.getByRole("region", { name: "Program" })).toContainText("ceil(length / step)");
+  const read = open.getByRole("region", { name: "What the learner reads" });
+  await expect(read).toContainText("Not yet: 1 of 4 checks pass");
+  await expect(read).toContainText("Expected");
+  await expect(read).toContainText("steps(12, 5) gives 2");
+  await expect(read).toContainText("rounded up: a step that is only begun is no whole step");
+  await expect(read.getByRole("region", { name: "The check points at hint 2" })).toHaveText(
+    /Hint 2 of 3\s*Divide\./,
+  );
+  await expect(read).toContainText("Should earn");
+
+  // Causes, and the one that no file earns.
+  const causes = task.getByRole("region", { name: "Causes" }).getByRole("listitem");
+  await expect(causes.filter({ hasText: "rounded up:" })).toContainText("rounded-up.py");
+  await expect(causes.filter({ hasText: "to the nearest" })).toContainText(
+    "not held by a wrong attempt",
+  );
+
+  // A file is saved: the page comes again as it was, and that file alone is marked again.
+  writeFileSync(attempt, readFileSync(attempt, "utf8").replace("# earns: x", "# earns: rounded up"));
+  await expect(row("wrong/rounded-up.py")).toContainText("Earns its words");
+  await expect(read).toContainText("Not yet: 1 of 4 checks pass");
+});
+
+test("the published site has nothing of the authors' page @once", () => {
+  const dist = join(ROOT, "dist");
+  const texts = filesBelow(dist, (path: string) => /\.(js|css|html|json)$/.test(path));
+  expect(texts.length).toBeGreaterThan(50);
+  expect(texts.filter((path) => path.includes("preview"))).toEqual([]);
+  const ours = /What learners are told|What the learner reads|preview-data|preview-task|\/preview\//;
+  const found = texts.filter((path) => ours.test(readFileSync(join(dist, path), "utf8")));
+  expect(found).toEqual([]);
 });
