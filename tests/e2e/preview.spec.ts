@@ -1,6 +1,5 @@
 /** The page for whoever writes a lesson, in the development server: what learners will be told. */
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { expect, test } from "@playwright/test";
@@ -26,8 +25,7 @@ test.beforeAll(async () => {
     server: { host: "127.0.0.1", port: 0 },
   });
   await server.listen();
-  const { port } = server.httpServer?.address() as AddressInfo;
-  address = `http://127.0.0.1:${port}/`;
+  address = server.resolvedUrls?.local[0] ?? "";
 });
 
 test.afterAll(async () => {
@@ -41,8 +39,12 @@ test("an author sees what each program earns, and what no wrong attempt shows @o
   test.slow();
   const attempt = join(course, "one-step/whole-steps/wrong/rounded-up.py");
   const nearest = join(course, "one-step/whole-steps/wrong/rounded.py");
-  writeFileSync(attempt, readFileSync(attempt, "utf8").replace("# earns: rounded up", "# earns: x"));
+  writeFileSync(
+    attempt,
+    readFileSync(attempt, "utf8").replace("# earns: rounded up", "# earns: x"),
+  );
   rmSync(nearest);
+  rmSync(join(course, "one-step/whole-steps/equivalent.json"));
   await page.goto(`${address}preview/one-step/`);
   const task = page.getByRole("region", { name: "Whole steps" });
   const row = (file: string) => task.getByRole("group").filter({ hasText: file });
@@ -50,7 +52,7 @@ test("an author sees what each program earns, and what no wrong attempt shows @o
 
   // One task is marked, the other is left alone.
   await task.getByRole("button", { name: "Mark this task" }).click();
-  await expect(row("starter.py")).toContainText("Fails, as it should");
+  await expect(row("starter.py")).toContainText("Fails, but names a mistake");
   await expect(row("solution.py")).toContainText("Passes");
   await expect(row("wrong/one-too-many.py")).toContainText("Earns its words");
   await expect(row("wrong/rounded-up.py")).toContainText("Earns other words");
@@ -74,13 +76,26 @@ test("an author sees what each program earns, and what no wrong attempt shows @o
 
   // Causes, and the one that no file earns.
   const causes = task.getByRole("region", { name: "Causes" }).getByRole("listitem");
-  await expect(causes.filter({ hasText: "rounded up:" })).toContainText("rounded-up.py");
   await expect(causes.filter({ hasText: "to the nearest" })).toContainText(
     "not held by a wrong attempt",
   );
+  await task.getByText("3 causes held by wrong attempts").click();
+  await expect(causes.filter({ hasText: "rounded up:" })).toContainText("rounded-up.py");
+
+  // The small changes of the solution, and the one that still passes.
+  const mutants = task.getByRole("region", { name: "Mutants" });
+  await mutants.getByRole("button", { name: "Try the mutants" }).click();
+  const still = mutants.getByRole("list", { name: "Open mutants" }).getByRole("listitem");
+  await expect(still).toHaveCount(1, { timeout: 60_000 });
+  await expect(still.getByRole("deletion")).toContainText("return int(length // step)");
+  await expect(still.getByRole("insertion")).toContainText("return int(length / step)");
+  await expect(overview).toContainText("1 open");
 
   // A file is saved: the page comes again as it was, and that file alone is marked again.
-  writeFileSync(attempt, readFileSync(attempt, "utf8").replace("# earns: x", "# earns: rounded up"));
+  writeFileSync(
+    attempt,
+    readFileSync(attempt, "utf8").replace("# earns: x", "# earns: rounded up"),
+  );
   await expect(row("wrong/rounded-up.py")).toContainText("Earns its words");
   await expect(read).toContainText("Not yet: 1 of 4 checks pass");
 });
@@ -90,7 +105,8 @@ test("the published site has nothing of the authors' page @once", () => {
   const texts = filesBelow(dist, (path: string) => /\.(js|css|html|json)$/.test(path));
   expect(texts.length).toBeGreaterThan(50);
   expect(texts.filter((path) => path.includes("preview"))).toEqual([]);
-  const ours = /What learners are told|What the learner reads|preview-data|preview-task|\/preview\//;
+  const ours =
+    /What learners are told|What the learner reads|preview-data|preview-task|\/preview\//;
   const found = texts.filter((path) => ours.test(readFileSync(join(dist, path), "utf8")));
   expect(found).toEqual([]);
 });

@@ -28,6 +28,7 @@ const MAY_IMPORT: Record<string, string[]> = {
     "offline/messages.ts",
     "embed/messages.ts",
   ],
+  preview: ["page", "runtime", "trace", "ui"],
   scorm: ["page/progress.ts", "page/progress-record.ts"],
   "main.ts": ["page", "figures", "runtime", "ui"],
 };

@@ -110,9 +110,7 @@ def _causes(declared: Sequence[Mistake], check: str) -> list[dict[str, Any]]:
             if isinstance(likely, ast.Constant) and isinstance(likely.value, str):
                 value = hint.value if isinstance(hint, ast.Constant) else None
                 causes.setdefault(likely.value, value if isinstance(value, int) else None)
-    return [
-        {"text": text, "hint": hint, "line": lines.get(text)} for text, hint in causes.items()
-    ]
+    return [{"text": text, "hint": hint, "line": lines.get(text)} for text, hint in causes.items()]
 
 
 if __name__ == "__main__":

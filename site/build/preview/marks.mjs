@@ -53,7 +53,9 @@ function keyOfFiles(task, files) {
 
 /** The state of all that marks. */
 function grader() {
-  const folders = ["bugbot", "mapping", "grader", "performer"].map((name) => join(ROOT, "py", name));
+  const folders = ["bugbot", "mapping", "grader", "performer"].map((name) =>
+    join(ROOT, "py", name),
+  );
   const files = folders.flatMap((folder) =>
     filesBelow(folder, (path) => /\.(py|json)$/.test(path)).map((path) => join(folder, path)),
   );

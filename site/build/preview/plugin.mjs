@@ -26,6 +26,12 @@ export function preview(lessons) {
   return {
     name: "bugbot-preview",
     apply: "serve",
+    // Found only when the page is asked for, they would have it loaded twice.
+    config: () => ({
+      optimizeDeps: {
+        include: ["lit", "lit/directives/unsafe-html.js", "lit/directives/until.js"],
+      },
+    }),
     configureServer(server) {
       forgetOld();
       server.middlewares.use(async (request, response, next) => {

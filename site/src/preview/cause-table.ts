@@ -4,17 +4,32 @@ import { icons } from "../ui/icons.ts";
 import { previewWords as words } from "../ui/preview-words.ts";
 import type { TaskPreview } from "./data.ts";
 import { causesOf, type HeldCause } from "./judged.ts";
+import type { Context } from "./page-face.ts";
 
-export function causeTable(task: TaskPreview): TemplateResult {
+export function causeTable(task: TaskPreview, { opened }: Context): TemplateResult {
   const causes = causesOf(task);
+  const open = causes?.filter(({ earnedBy }) => earnedBy.length === 0) ?? [];
+  const held = causes?.filter(({ earnedBy }) => earnedBy.length > 0) ?? [];
+  const part = `${task.name} causes`;
   return html`<section class="group causes" aria-label=${words.causes}>
     <h3>${words.causes} <span>${words.causesNote}</span></h3>
     ${
       !causes || causes.length === 0
         ? html`<p class="none">${causes ? words.noCauses : words.causesUnknown}</p>`
-        : html`<ul>
-            ${causes.map(row)}
-          </ul>`
+        : nothing
+    }
+    ${open.length > 0 ? html`<ul>${open.map(row)}</ul>` : nothing}
+    ${
+      held.length > 0
+        ? html`<details
+            class="more"
+            ?open=${opened.open.has(part)}
+            @toggle=${(event: Event) => opened.set(part, (event.target as HTMLDetailsElement).open)}
+          >
+            <summary>${words.held(held.length)}</summary>
+            <ul>${held.map(row)}</ul>
+          </details>`
+        : nothing
     }
   </section>`;
 }

@@ -41,27 +41,34 @@ export interface ProgramFile {
   told: Told | null;
 }
 
-/** A reason of equivalent.json. */
+/** An entry of equivalent.json; what is left out may be any. */
 export interface Reason {
-  before: string;
-  after: string;
-  reason: string;
+  in?: string;
+  /** The lines before, an arrow, and the lines after. */
+  change?: string;
+  kinds?: readonly string[];
+  why: string;
 }
 
 /** A small change of the solution that still passes. */
 export interface Change {
+  /** The function that it is in; empty outside all of them. */
+  in: string;
+  kind: string;
   line: number;
   before: string;
   after: string;
+  /** Why it is no mistake; null if nobody has said so. */
+  why: string | null;
 }
 
 /** What became of the small changes of a solution. */
 export interface Mutants {
   mutants: number;
   killed: number;
-  explained: number;
+  explained: readonly Change[];
   open: readonly Change[];
-  /** What is wrong with equivalent.json. */
+  /** What is wrong with equivalent.json, or with what was to be tried. */
   faults: readonly string[];
   seconds: number;
 }

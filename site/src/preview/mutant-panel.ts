@@ -4,7 +4,7 @@
  */
 import { html, nothing, type TemplateResult } from "lit";
 import { previewWords as words } from "../ui/preview-words.ts";
-import type { Mutants, Reason, TaskPreview } from "./data.ts";
+import type { Change, Mutants, Reason, TaskPreview } from "./data.ts";
 import { type Context, trouble } from "./page-face.ts";
 import type { Work } from "./server.ts";
 
@@ -29,7 +29,7 @@ export function mutantPanel(task: TaskPreview, { server }: Context): TemplateRes
             </button>`
       }
     </div>
-    ${reasons.length > 0 ? reasonList(reasons) : nothing}
+    ${!mutants && reasons.length > 0 ? reasonList(reasons) : nothing}
   </section>`;
 }
 
@@ -46,50 +46,77 @@ function bar({ done, of }: Work): TemplateResult {
 function found({ mutants, killed, explained, open, faults, seconds }: Mutants): TemplateResult {
   const kinds = [
     ["killed", killed],
-    ["explained", explained],
+    ["explained", explained.length],
     ["open", open.length],
   ] as const;
   return html`<p class="mutant-counts">
-      <span><b>${mutants}</b> ${words.countOf(mutants).replace(/^\d+ /, "")}</span>
-      ${kinds.map(([kind, count]) => html`<span class=${kind}><i></i><b>${count}</b> ${words[kind]}</span>`)}
+      <span><b>${mutants}</b> ${words.countOf(mutants)}</span>
+      ${kinds.map(
+        ([kind, count]) =>
+          html`<span class=${kind}><i></i><b>${count}</b> ${words[kind](count)}</span>`,
+      )}
       <span>${words.seconds(seconds)}</span>
     </p>
     <div class="mutant-bar" aria-hidden="true">
-      ${kinds.map(([kind, count]) => (count > 0 ? html`<i class=${kind} style="flex-grow: ${count}"></i>` : nothing))}
+      ${kinds.map(([kind, count]) =>
+        count > 0 ? html`<i class=${kind} style="flex-grow: ${count}"></i>` : nothing,
+      )}
     </div>
-    <p class="mutant-said" data-tone=${open.length > 0 ? "bad" : "good"}>${words.opened(open.length)}</p>
+    ${open.length > 0 || faults.length === 0 ? said(words.opened(open.length), open.length) : nothing}
+    ${faults.map((fault) => said(fault, 1))}
+    ${open.length > 0 ? html`<ol class="changes" aria-label=${words.openList}>${open.map(change)}</ol>` : nothing}
     ${
-      open.length > 0
-        ? html`<ol class="changes">
-            ${open.map(
-              ({ line, before, after }) => html`<li>
-                <span class="line">${words.line(line)}</span>${diff(before, after)}
-              </li>`,
-            )}
-          </ol>`
+      explained.length > 0
+        ? html`<details class="more">
+            <summary>${words.whyNot(explained.length)}</summary>
+            <ol class="changes">
+              ${explained.map(change)}
+            </ol>
+          </details>`
         : nothing
-    }
-    ${faults.map((fault) => html`<p class="mutant-said" data-tone="bad">${fault}</p>`)}`;
+    }`;
+}
+
+function said(text: string, faults: number): TemplateResult {
+  return html`<p class="mutant-said" data-tone=${faults > 0 ? "bad" : "good"}>${text}</p>`;
+}
+
+function change({ line, in: name, kind, before, after, why }: Change): TemplateResult {
+  return html`<li>
+    <p class="where">
+      <b>${words.line(line)}</b>
+      <span>${name === "" ? nothing : words.inFunction(name)}</span>
+      <span>${kind}</span>
+    </p>
+    <div>${diff(before, after)} ${why === null ? nothing : html`<p>${why}</p>`}</div>
+  </li>`;
 }
 
 function diff(before: string, after: string): TemplateResult {
-  return html`<code class="diff">
-    <del><span class="out-of-sight">${words.removed}: </span>${before}</del>
-    <ins><span class="out-of-sight">${words.added}: </span>${after}</ins>
-  </code>`;
+  return html`<code class="diff"
+    ><del><span class="out-of-sight">${words.removed}: </span>${before}</del
+    ><ins><span class="out-of-sight">${words.added}: </span>${after}</ins></code
+  >`;
 }
 
+/** The entries as they are written, before anything has been tried. */
 function reasonList(reasons: readonly Reason[]): TemplateResult {
-  const text = (pattern: string): string => (pattern === "*" ? words.anything : pattern);
-  return html`<details class="reasons">
+  return html`<details class="more">
     <summary>${words.reasons(reasons.length)}</summary>
     <ol class="changes">
-      ${reasons.map(
-        ({ before, after, reason }) => html`<li>
-          ${diff(text(before), text(after))}
-          <p>${reason}</p>
-        </li>`,
-      )}
+      ${reasons.map((each) => {
+        const [before = "", ...after] = (each.change ?? "").split(" -> ");
+        return html`<li>
+          <p class="where">
+            <span>${each.in ? words.inFunction(each.in) : nothing}</span>
+            <span>${each.kinds?.join(", ") ?? nothing}</span>
+          </p>
+          <div>
+            ${each.change ? diff(before, after.join(" -> ")) : words.anyChange}
+            <p>${each.why}</p>
+          </div>
+        </li>`;
+      })}
     </ol>
   </details>`;
 }

@@ -128,9 +128,11 @@ function marking(all: readonly TaskPreview[], { server, opened }: Context): Temp
   const text =
     busy.length > 0 ? words.progress(done, of) : left > 0 ? words.waiting(left) : words.allMarked;
   return html`<div class="overview-foot">
-    <button type="button" class="go" ?disabled=${busy.length > 0 || left === 0} @click=${onMark}>
-      ${words.markAll}
-    </button>
+    ${
+      busy.length === 0 && left > 0
+        ? html`<button type="button" class="go" @click=${onMark}>${words.markAll}</button>`
+        : nothing
+    }
     <p role="status">${text}</p>
   </div>`;
 }
@@ -169,7 +171,7 @@ function taskSection(task: TaskPreview, context: Context): TemplateResult {
       ></progress>
     </header>
     ${failed === null ? nothing : trouble(words.failed, failed)} ${taskWords(task, context)}
-    ${KINDS.map((kind) => group(task, kind, context))} ${causeTable(task)}
+    ${KINDS.map((kind) => group(task, kind, context))} ${causeTable(task, context)}
     ${mutantPanel(task, context)}
   </section>`;
 }
