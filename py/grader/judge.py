@@ -23,7 +23,7 @@ from grader.task import Task
 from grader.text import Source
 from performer.refusal import refusal
 
-__all__ = ["fails_already", "step"]
+__all__ = ["fails_already", "first_failure", "step"]
 
 _MOST_ROUNDS = 8
 """Results of more jobs than this many times the checks: they are not deterministic."""
@@ -74,7 +74,7 @@ def step(
                 raise AuthorError("its checks ask for something else each time they are run")
             return {"jobs": jobs}
         entries = _judged(checks, states)
-        trials = [(place, each) for place, (at, _) in enumerate(states) for each in at.trials_made]
+        trials = [(place, each) for place, (at, *_) in enumerate(states) for each in at.trials_made]
         results = [result_of(trial, place) for place, trial in trials]
         score = score_of([trial for _, trial in trials])
         return {"mark": mark_of(slug, task, entries, results=results, score=score)}
@@ -93,7 +93,7 @@ def fails_already(
     try:
         checks = checks_of(check_source, f"lessons/{lesson.get('slug')}/{task}/check.py")
         desk = Desk(lesson, results, 0, Source(program))
-        for begun, failure in [_begin(each, desk) for each in checks]:
+        for begun, failure, _ in [_begin(each, desk) for each in checks]:
             if failure is not None:
                 return True
             for trial in begun.trials_made:
@@ -105,7 +105,44 @@ def fails_already(
     return False
 
 
-_Begun = tuple[Task, CheckFailed | None]
+def first_failure(
+    check_source: str,
+    lesson: dict[str, Any],
+    task: str,
+    program: str,
+    results: list[Any],
+    *,
+    shift: int = 0,
+) -> dict[str, Any] | None:
+    """The mark as far as the first check that fails, if the runs there are so far settle it.
+
+    The checks after it are not run. What goes wrong with the check.py is no answer: `step`
+    tells it.
+    """
+    slug = str(lesson.get("slug"))
+    try:
+        checks = checks_of(check_source, f"lessons/{slug}/{task}/check.py")
+        desk = Desk(lesson, results, shift, Source(program))
+        states: list[_Begun] = []
+        for check in checks:
+            at, failure, complete = _begin(check, desk)
+            if not complete:
+                break
+            states.append((at, failure, complete))
+            if failure is not None:
+                break
+        entries = _judged(checks[: len(states)], states)
+    except Exception:
+        return None
+    for place, each in enumerate(entries):
+        if each["status"] != PASSED:
+            rest = [entry(check.title, NOT_RUN) for check in checks[place + 1 :]]
+            return mark_of(slug, task, [*entries[: place + 1], *rest])
+    return None
+
+
+_Begun = tuple[Task, CheckFailed | None, bool]
+"""A check that has been gone through; how it failed, if it did; whether it had all its runs."""
 
 
 def _begin(check: Check, desk: Desk) -> _Begun:
@@ -114,18 +151,18 @@ def _begin(check: Check, desk: Desk) -> _Begun:
     try:
         check.work(task)
     except NeedsJob:
-        return task, None  # its calls are not complete: they are asked for when they are
+        return task, None, False  # its calls are not complete: they are asked for when they are
     except CheckFailed as failure:
-        return task, failure
+        return task, failure, True
     task.ask()
-    return task, None
+    return task, None, True
 
 
 def _judged(checks: list[Check], states: list[_Begun]) -> list[dict[str, Any]]:
-    answered = [pair for task, failure in states if failure is None for pair in task.answered()]
+    answered = [pair for task, failure, _ in states if failure is None for pair in task.answered()]
     told: set[str] = set()
     entries = []
-    for check, (task, failure) in zip(checks, states, strict=True):
+    for check, (task, failure, _) in zip(checks, states, strict=True):
         try:
             if failure is not None:
                 raise failure

@@ -22,7 +22,7 @@ from time import monotonic
 from types import TracebackType
 from typing import IO, Any
 
-from grader.judge import step
+from grader.judge import first_failure, step
 from grader.processes import end
 
 __all__ = ["Performer", "mark_program"]
@@ -58,15 +58,24 @@ def mark_program(
     perform_job: Perform,
     *,
     shift: int = 0,
+    until_failed: bool = False,
 ) -> dict[str, Any]:
-    """The mark of a program; `perform_job(job, program)` does each job."""
+    """The mark of a program; `perform_job(job, program)` does each job.
+
+    until_failed  the checks after the first that fails need not be run
+    """
     results: list[dict[str, Any]] = []
     while True:
         done = step(check_source, lesson, task, program, results, shift=shift)
         if "mark" in done:
             mark: dict[str, Any] = done["mark"]
             return mark
-        results += [perform_job(job, program) for job in done["jobs"]]
+        for job in sorted(done["jobs"], key=lambda job: bool(job["kind"] == "run")):
+            results.append(perform_job(job, program))
+            if until_failed and len(done["jobs"]) > 1:
+                failed = first_failure(check_source, lesson, task, program, results, shift=shift)
+                if failed is not None:
+                    return failed
 
 
 class Performer:

@@ -160,7 +160,7 @@ def _done(part: _Part) -> _Found:
     notes: list[Fault] = []
     checks = 0
     for shift in part.shifts:
-        mark, worlds = _marked(lesson, task, part.program, shift)
+        mark, worlds = _marked(lesson, task, part, shift)
         faults += _judged(part, task, mark, shift)
         failed = first_failed(mark)
         if part.kind == "starter" and failed is not None and failed["likely"] is not None:
@@ -176,7 +176,7 @@ def _done(part: _Part) -> _Found:
 
 
 def _marked(
-    lesson: Lesson, task: TaskFolder, program: Path, shift: int
+    lesson: Lesson, task: TaskFolder, part: _Part, shift: int
 ) -> tuple[dict[str, Any], list[dict[str, Any]]]:
     """The mark of a program, and the worlds that it was run on."""
     worlds = []
@@ -190,9 +190,10 @@ def _marked(
         task.check.read_text("utf-8"),
         lesson.for_judge(),
         task.name,
-        _complete(task, program),
+        _complete(task, part.program),
         perform,
         shift=shift,
+        until_failed=part.kind in ("starter", "wrong"),
     )
     return mark, worlds
 

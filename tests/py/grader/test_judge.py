@@ -10,6 +10,7 @@ from judged import CELL, RIGHT, failed, marked, statuses
 
 from bugbot import worlds
 from grader.judge import step
+from grader.marking import mark_program
 from performer.perform import perform
 
 LESSON: dict[str, Any] = {"slug": "lesson", "worlds": {}}
@@ -36,6 +37,22 @@ def test_all_jobs_are_asked_for_in_one_round_and_the_rest_in_a_second() -> None:
     assert [len(job["groups"]) for job in second["jobs"]] == [1]
     results += [perform(job, RIGHT) for job in second["jobs"]]
     assert step(BOTH, LESSON, "task", RIGHT, results)["mark"]["passed"]
+
+
+def test_what_comes_after_the_first_failure_need_not_be_run() -> None:
+    done = []
+
+    def noted(job: dict[str, Any], program: str) -> dict[str, Any]:
+        done.append(job["kind"])
+        return perform(job, program)
+
+    wrong = RIGHT.replace("floor(x", "ceil(x")
+    mark = mark_program(BOTH, LESSON, "task", wrong, noted, until_failed=True)
+    assert done == ["calls"]
+    assert statuses(mark) == ["failed", "not run", "not run"]
+    whole = mark_program(BOTH, LESSON, "task", wrong, perform)
+    assert failed(mark) == failed(whole)
+    assert mark_program(BOTH, LESSON, "task", RIGHT, perform, until_failed=True)["passed"]
 
 
 def test_jobs_and_results_are_plain_json() -> None:
