@@ -132,7 +132,7 @@ def first_failure(
             if failure is not None:
                 break
         entries = _judged(checks[: len(states)], states)
-    except Exception:
+    except (NeedsJob, Exception):
         return None
     for place, each in enumerate(entries):
         if each["status"] != PASSED:
