@@ -2,7 +2,7 @@
 
 from math import hypot
 
-from grader import check, function, near
+from grader import check, function, mistake, near, number
 from mapping.score import gap_cm
 
 
@@ -103,6 +103,21 @@ wrong_percent = function(
     ],
 )
 
+OTHER_CELL = 12
+in_other_cells = function(
+    "wrong_percent(occupied, real)",
+    percent_by(lambda gap: gap > OTHER_CELL),
+    compare=near(0.01, "%"),
+    mistakes=[
+        mistake(
+            "the size of a cell was typed in as a number: use CELL, because the check changes it",
+            percent_by(),
+            2,
+            where=number(5),
+        ),
+    ],
+)
+
 BOX = [100, 100, 20, 10]
 POST = [40, 150, 8, 30]
 
@@ -139,3 +154,11 @@ def share(task):
 @check("A map without black cells", hint=2)
 def none(task):
     task.call(wrong_percent, [], [BOX], gives=0)
+
+
+@check("Larger cells", hint=2)
+def larger(task):
+    task.set("CELL", OTHER_CELL)
+    # 4, 10, 14 and 30 cm from the box.
+    cells = [(96.0, 105.0), (110.0, 90.0), (110.0, 124.0), (150.0, 105.0)]
+    task.call(in_other_cells, cells, [BOX], gives=50)

@@ -2,7 +2,7 @@
 
 from math import floor
 
-from grader import check, function, near
+from grader import calls, check, function, mistake, near
 from mapping.grid import Grid
 from mapping.mapper import Mapper
 from mapping.matching import Window, hits_of, likelihoods, place
@@ -19,14 +19,25 @@ def cell_value(field, x, y):
     return field[row * 40 + column] if 0 <= column < 40 and 0 <= row < 40 else 0
 
 
-def fit_by(value=cell_value, seen=place, mean=True):
+def truncated(field, x, y):
+    column, row = int(x / 5), int(y / 5)
+    return field[row * 40 + column] if 0 <= column < 40 and 0 <= row < 40 else 0
+
+
+def fit_by(value=cell_value, seen=place, mean=True, of=lambda points: len(points)):
     """How well hits agree with a field, or a slip of it."""
 
     def fit(field, x, y, facing, hits):
-        total = sum(value(field, *seen((x, y, facing), hit)) for hit in hits)
-        return total / len(hits) if mean else total
+        points = [seen((x, y, facing), hit) for hit in hits]
+        total = sum(value(field, *point) for point in points)
+        return total / of(points) if mean else total
 
     return fit
+
+
+def on_the_mat(points):
+    """How many of the points are on the mat, at least 1."""
+    return max(1, sum(0 <= x < 200 and 0 <= y < 200 for x, y in points))
 
 
 fit = function(
@@ -49,6 +60,17 @@ fit = function(
             "a hit beyond the mat is in no cell, and adds nothing",
             fit_by(lambda field, x, y: field[(floor(y / 5) * 40 + floor(x / 5)) % 1600]),
             0,
+        ),
+        (
+            "the mean is of all hits: those beyond the mat add 0, and count all the same",
+            fit_by(of=on_the_mat),
+            0,
+        ),
+        mistake(
+            "int() rounds -0.4 to 0, so a hit just off the mat gets a cell: use math.floor()",
+            fit_by(truncated),
+            0,
+            where=calls("int"),
         ),
     ],
 )
@@ -121,7 +143,11 @@ match = function(
     reference,
     compare=fits_as_well,
     mistakes=[
-        ("the guess comes back as it is: try the poses round it", match_by([0], [0]), 1),
+        (
+            "the guess comes back as it is: try the poses round it, and keep the best of them",
+            match_by([0], [0]),
+            1,
+        ),
         (
             "only headings are tried: try the places of SHIFTS with each of them",
             match_by(shifts=[0]),
@@ -155,6 +181,15 @@ def fits(task):
 def beyond(task):
     task.call(fit, [1.0] * 1600, 190, 100, 90, [[20, 0], [5, 0]], gives=0.5)
     task.call(fit, [1.0] * 1600, 100, 190, 0, [[20, 0], [5, 0]], gives=0.5)
+    task.call(fit, [1.0] * 1600, 2.5, 100, 0, [[0, -5], [0, 5]], gives=0.5)
+    task.call(fit, [1.0] * 1600, 100, 2.5, 0, [[-5, 0], [5, 0]], gives=0.5)
+
+
+@check("The cells along the edges", hint=0)
+def edges(task):
+    each_its_own = [(cell + 1) / 1600 for cell in range(1600)]
+    for x, y in ((2.5, 2.5), (2.5, 197.5), (197.5, 2.5), (197.5, 197.5)):
+        task.call(fit, each_its_own, x, y, 0, [[0, 0]])
 
 
 @check("A guess that is turned a little", hint=1)

@@ -2,7 +2,7 @@
 
 from math import atan2, cos, degrees, pi, radians, sin
 
-from grader import check, function, near
+from grader import check, function, mistake, near, number
 
 FAN = [-19.6875 + 5.625 * i for i in range(8)]
 
@@ -64,9 +64,30 @@ wall_direction = function(
         ),
         ("a reading of FAR or more is no point of the wall", line_by(far=1000), 0),
         (
+            "a reading of exactly FAR is no point of the wall either: a hit is less than FAR",
+            line_by(far=170.001),
+            0,
+        ),
+        (
             "degrees are wanted: math.atan2() gives radians",
             line_by(angle=lambda a, b, c: atan2(2 * c, b - a) / 2 % pi),
             1,
+        ),
+    ],
+)
+
+
+OTHER_FAR = 150
+with_other_far = function(
+    "wall_direction(looks)",
+    line_by(far=OTHER_FAR),
+    compare=same_line,
+    mistakes=[
+        mistake(
+            "FAR was typed in as a number: use the name, because the check changes its value",
+            line_by(),
+            0,
+            where=number(170),
         ),
     ],
 )
@@ -135,12 +156,21 @@ def aslant(task):
     task.call(wall_direction, seen(0, 80, 90))
     task.call(wall_direction, seen(30, 70, 110), gives=30)
     task.call(wall_direction, seen(150, 50, 250), gives=150)
+    task.call(wall_direction, seen(30, 12, 110), gives=30)
 
 
 @check("Noise, and readings of nothing", hint=0)
 def noisy(task):
     for wall in (20, 75, 140):
         task.call(wall_direction, seen(wall, 115, wall + 62, task.random, times=4))
+
+
+@check("A reading of exactly FAR, and another FAR", hint=0)
+def at_far(task):
+    beside = (60, [[-2.8125, 170.0], [2.8125, 170.0]])
+    task.call(wall_direction, [*seen(90, 60, 0), beside], gives=90)
+    task.set("FAR", OTHER_FAR)
+    task.call(with_other_far, [*seen(90, 60, 0), (60, [[0, 150.0], [5.625, 160.0]])], gives=90)
 
 
 @check("The drift between two looks", hint=2)

@@ -126,7 +126,13 @@ def way(task):
 @check("The way round the ring", hint=2)
 def ring(task):
     run = task.run("hall", seed=61, seconds=90)
-    way = run.layer("corrected")
+    way, looks = run.layer("corrected"), len(run.layer("as it believes"))
+    task.expect(
+        len(way) == looks,
+        expected=f"a place on the corrected way for each of the {looks} looks",
+        got=f"{len(way)} places",
+        run=run,
+    )
     true = [run.pose_at(0.2 * look) for look in range(len(way))]
     worst = max(hypot(x - a, y - b) for (x, y), (a, b, _) in zip(way, true))
     task.expect(

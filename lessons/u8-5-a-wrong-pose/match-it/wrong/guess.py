@@ -40,7 +40,15 @@ def fit(field, x, y, facing, hits):
 
 def match(field, x, y, facing, hits):
     """The pose near (x, y, facing) at which the hits fit best."""
-    return x, y, facing
+    best, best_fit = (x, y, facing), fit(field, x, y, facing, hits)
+    for turned in TURNS:
+        for dx in SHIFTS:
+            for dy in SHIFTS:
+                pose = x + dx, y + dy, facing + turned
+                found = fit(field, *pose, hits)
+                if found > best_fit:
+                    best_fit = found
+    return best
 
 
 # ---- end of your part ----
