@@ -89,7 +89,7 @@ def _encode(value: Any, depth: int, parts: list[int]) -> Any:
     if kind is list and value and all(type(each) is float for each in value):
         parts[0] += len(value)
         if all(map(isfinite, value)) and parts[0] <= _MOST_PARTS:
-            return {"floats": value}
+            return {"floats": list.copy(value)}
     if issubclass(kind, list):
         return [_encode(each, depth + 1, parts) for each in list.__iter__(value)]
     if issubclass(kind, deque):

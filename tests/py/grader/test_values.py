@@ -221,3 +221,12 @@ def test_a_number_too_long_to_be_shown_is_described() -> None:
     huge = decoded(encoded(10**200_000))
     assert isinstance(huge, Other)
     assert huge.what == "a whole number of some 199,315 digits"
+
+
+def test_what_was_sent_is_not_changed_by_what_happens_later() -> None:
+    """A list that a program goes on changing: each look at it keeps what was there then."""
+    for values in ([1.0, 2.0], [1, 2], [[1.0], [2.0]]):
+        sent = encoded(values)
+        before = decoded(sent)
+        values.clear()
+        assert decoded(sent) == before
