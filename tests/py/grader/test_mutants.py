@@ -362,6 +362,19 @@ def test_a_sample_is_the_same_for_the_same_seed(
     assert len(lists[0].splitlines()) == 4
 
 
+def test_several_lessons_can_be_named(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    shutil.copytree(folder / "one-step", folder / "two-steps")
+    (folder / "course.json").write_text('{"format": 1, "lessons": ["one-step", "two-steps"]}')
+    assert run(folder, "--list", "one-step", "two-steps") == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert {line.split(":")[0].split("/")[-3] for line in lines} == {"one-step", "two-steps"}
+    assert run(folder, "--list", "two-steps", "whole-steps") == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert {tuple(line.split(":")[0].split("/")[-3:-1]) for line in lines} == {
+        ("two-steps", "whole-steps")
+    }
+
+
 def test_each_task_is_a_line_of_json_on_demand(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
