@@ -198,11 +198,15 @@ CORNER_BEAM = (12.5, 12.5, 225, 13.0)
 add_beam = function("add_beam(x, y, angle, reading)", lambda *_: None, compare=lambda *_: True)
 
 
-def same_in_corner(wanted, got):
-    """The same log odds where any are wanted."""
-    if not isinstance(got, list | tuple) or len(got) != len(wanted):
+def same_where_wanted(wanted, got):
+    """The same log odds where any are wanted; also for a single cell."""
+    if isinstance(wanted, list):
+        rows = isinstance(got, list | tuple) and len(got) == len(wanted)
+        return rows and all(map(same_where_wanted, wanted, got))
+    try:
+        return wanted is None or abs(float(got) - wanted) < 0.001
+    except (TypeError, ValueError):
         return False
-    return all(abs(got[cell] - l) < 0.001 for cell, l in enumerate(wanted) if l is not None)
 
 
 @check("A beam that ends in the corner of the mat", hint=1)
@@ -210,4 +214,4 @@ def corner(task):
     task.call(add_beam, *CORNER_BEAM)
     evidence = {0: 0.85, 41: -0.4, 82: -0.8}
     wanted = [evidence.get(cell) for cell in range(1600)]
-    task.variable("log_odds", gives=wanted, compare=same_in_corner)
+    task.variable("log_odds", gives=wanted, compare=same_where_wanted)
