@@ -380,6 +380,24 @@ def test_each_check_begins_anew_and_its_calls_happen_in_order() -> None:
     assert (failed(mark)["expected"], failed(mark)["got"]) == ("count is 2", "4")
 
 
+def test_of_a_long_list_in_a_variable_the_item_that_differs_is_named() -> None:
+    check = """
+from grader import check, function
+
+add = function("add(cell)", lambda cell: None)
+
+@check("A long list")
+def a_long_list(task):
+    task.call(add, 3)
+    task.variable("cells", gives=[0, 0, 0, 1] + [0] * 96)
+"""
+    program = "cells = [0] * 100\ndef add(cell):\n    cells[cell] += %d\n"
+    assert marked(check, program % 1)["passed"]
+    told = failed(marked(check, program % 2))
+    assert told["expected"] == "cells: item 3 (counted from 0) is 1"
+    assert told["got"] == "it is 2"
+
+
 def test_a_variable_that_is_not_there_is_asked_for() -> None:
     first = failed(marked(STATE, "counts = 0\ndef tick():\n    pass\n"))
     assert (first["expected"], first["got"]) == ("a variable count in the program", "there is none")
