@@ -18,8 +18,10 @@ const POLICY = {
   "form-action": ["'none'"],
 };
 
-export function contentSecurityPolicy() {
-  return Object.entries(POLICY)
+/** @param {readonly string[]} scripts the hashes of scripts that stand in the page itself */
+export function contentSecurityPolicy(scripts = []) {
+  const policy = { ...POLICY, "script-src": [...POLICY["script-src"], ...scripts] };
+  return Object.entries(policy)
     .map(([directive, sources]) => `${directive} ${sources.join(" ")}`)
     .join("; ");
 }

@@ -7,7 +7,7 @@
  */
 import { createReadStream, existsSync, readFileSync } from "node:fs";
 import { join, normalize } from "node:path";
-import { contentSecurityPolicy } from "./csp.mjs";
+import { early } from "./early.mjs";
 import { filesBelow, ROOT } from "./files.mjs";
 import { lessonPages } from "./lessons/plugin.mjs";
 import { licences } from "./licences.mjs";
@@ -33,6 +33,7 @@ export function bugbot({ lessons = join(ROOT, "lessons") } = {}) {
   };
   return [
     siteData(prepare),
+    early(),
     preview(lessons),
     lessonPages(prepare, lessons),
     licences(),
@@ -84,14 +85,6 @@ function siteData(prepare) {
       // Other sites' pages name it: its address stays the same.
       const source = await standalone(join(ROOT, "site/src/embed/embed.ts"));
       this.emitFile({ type: "asset", fileName: "embed.js", source });
-    },
-
-    transformIndexHtml() {
-      // The development server needs inline scripts and a web socket for live reload.
-      if (dev) return [];
-      const content = contentSecurityPolicy();
-      const attrs = { "http-equiv": "Content-Security-Policy", content };
-      return [{ tag: "meta", attrs, injectTo: "head-prepend" }];
     },
 
     configureServer(server) {

@@ -13,6 +13,7 @@ import { ProgramStore } from "./page/storage.ts";
 import { showThemeSwitch } from "./page/theme-switch.ts";
 import { whenNear, whenWanted } from "./page/when-wanted.ts";
 import type { Runtime } from "./runtime/client.ts";
+import { part, tellMissing } from "./ui/part.ts";
 import { printInLight } from "./ui/theme.ts";
 
 for (const place of document.querySelectorAll<HTMLElement>(".theme-switch")) showThemeSwitch(place);
@@ -32,7 +33,7 @@ const embedded = document.documentElement.dataset.embed !== undefined;
 // The development server has no service worker, and what a frame keeps is kept for that frame only.
 const keeps = import.meta.env.PROD && !embedded;
 if (keeps) showOffline(home);
-const framed = embedded ? import("./page/embedded.ts") : null;
+const framed = embedded ? part(() => import("./page/embedded.ts")) : null;
 void framed?.then(({ openLinksOutside }) => openLinksOutside());
 
 // In a learning platform (src/scorm) each learner's things are kept apart.
@@ -43,7 +44,7 @@ progress.listen();
 document.dispatchEvent(new CustomEvent("bugbot-progress", { detail: progress }));
 showHome(worldsInOrder, progress);
 if (document.querySelector("progress-tools")) {
-  const { defineProgressTools } = await import("./page/progress-tools.ts");
+  const { defineProgressTools } = await part(() => import("./page/progress-tools.ts"));
   defineProgressTools(progress);
 }
 
@@ -53,24 +54,26 @@ if (lesson) showLessonPage(document, lesson, progress);
 
 const matPlace = document.querySelector<HTMLElement>(".mat-place");
 if (matPlace) {
-  const { showMatMaker } = await import("./page/mats/mat-maker.ts");
+  const { showMatMaker } = await part(() => import("./page/mats/mat-maker.ts"));
   showMatMaker(matPlace, { store, worlds: worldsInOrder, labAddress: new URL("lab/", home).href });
 }
 
 // The editor is the largest part of the site: it comes when a lab is near, or the page is idle.
 const places = [...document.querySelectorAll("bugbot-lab, bugbot-task")];
-if (places.length > 0) whenNear(places, () => void startLabs());
+if (places.length > 0) whenNear(places, () => void startLabs().catch(tellMissing));
 else if (keeps) whenWanted([], () => keepSoon(home));
+// Whatever of the page has not come by now, site/src/early tells of.
+document.dispatchEvent(new Event("bugbot-up"));
 
 async function startLabs(): Promise<void> {
   const own = document.querySelector<HTMLElement>(".lab-page bugbot-lab");
   const parts = Promise.all([
-    import("./page/lab.ts"),
-    own ? import("./page/lab-page.ts") : null,
-    import("./page/try.ts"),
+    part(() => import("./page/lab.ts")),
+    own ? part(() => import("./page/lab-page.ts")) : null,
+    part(() => import("./page/try.ts")),
   ]);
   // Python may be on its way while the editor still is.
-  const { Runtime } = await import("./runtime/client.ts");
+  const { Runtime } = await part(() => import("./runtime/client.ts"));
   const runtime = new Runtime(warmUp());
   whenWanted(places, () => runtime.warm());
   // What the reader came for is fetched before anything is kept for later.
@@ -100,7 +103,7 @@ function whenReady(runtime: Runtime, callback: () => void): void {
 }
 
 async function startTasks(runtime: Runtime, lesson: LessonData): Promise<void> {
-  const { defineTask } = await import("./page/task.ts");
+  const { defineTask } = await part(() => import("./page/task.ts"));
   defineTask({ runtime, progress, lesson });
 }
 

@@ -17,6 +17,7 @@ const MAY_IMPORT: Record<string, string[]> = {
   editor: ["ui"],
   figures: ["ui", "trace/frames.ts"],
   offline: [],
+  early: ["offline/drop.ts"],
   embed: ["trace/events.ts"],
   page: [
     "trace",
@@ -25,7 +26,9 @@ const MAY_IMPORT: Record<string, string[]> = {
     "runtime",
     "views",
     "editor",
+    "offline/drop.ts",
     "offline/messages.ts",
+    "offline/site-files.ts",
     "embed/messages.ts",
   ],
   preview: ["page", "runtime", "trace", "ui"],
@@ -65,3 +68,24 @@ for (const file of files) {
     expect(wrong).toEqual([]);
   });
 }
+
+/** What may ask for a part by itself: it tells of a failure in its own way, or nobody waits for it. */
+const OWN_WAY = [
+  "early/arrivals.ts",
+  "page/offline.ts",
+  "runtime/pool.ts",
+  "worker/interpreter.ts",
+];
+
+test("what is fetched later is asked for by part(), which tries again and tells", () => {
+  const bare = files
+    .filter((path) => !OWN_WAY.includes(path))
+    .filter((path) => {
+      const code = readFileSync(join(SRC, path), "utf8").replaceAll(
+        /\/\*[\s\S]*?\*\/|typeof import\(/g,
+        "",
+      );
+      return /(?<!part\(\(\) =>\s*)(?<![.\w])import\((?!text)/.test(code);
+    });
+  expect(bare).toEqual([]);
+});

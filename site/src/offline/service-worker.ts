@@ -6,8 +6,8 @@
  * pages: nothing changes under somebody's hands.
  */
 import type { FromKeeper, ToKeeper } from "./messages.ts";
-import { Shelf } from "./shelf.ts";
-import type { SiteFiles } from "./site-files.ts";
+import { isNoRoom, Shelf } from "./shelf.ts";
+import { NO_ROOM, type SiteFiles } from "./site-files.ts";
 
 /** Written in front of this script by the build. */
 declare const SITE_FILES: SiteFiles;
@@ -40,6 +40,10 @@ const world = self as unknown as ServiceWorkerWorld;
 const shelf = new Shelf(world.registration.scope, SITE_FILES, {
   caches,
   fetch: (address, options) => fetch(address, options),
+  hash: async (bytes) => {
+    const digest = await crypto.subtle.digest("SHA-256", bytes);
+    return btoa(String.fromCharCode(...new Uint8Array(digest)));
+  },
 });
 /** One fetching after the other: what one has fetched is not missing for the next. */
 let queue: Promise<void> = Promise.resolve();
@@ -55,7 +59,10 @@ world.addEventListener("activate", (event) => {
 world.addEventListener("fetch", (event) => {
   const { request } = event;
   if (request.method === "GET" && shelf.answers(request.url)) {
-    event.respondWith(shelf.answer(request));
+    const answer = shelf.answer(request);
+    event.respondWith(answer);
+    // What it has fetched is kept behind the answer.
+    event.waitUntil(answer.then(() => shelf.settled()).catch(() => {}));
   }
 });
 
@@ -91,7 +98,8 @@ async function keep({ parts, used }: Extract<ToKeeper, { kind: "keep" }>): Promi
       await shelf.keep(parts, used);
       problem = null;
     } catch (error) {
-      problem = error instanceof Error ? error.message : String(error);
+      const message = error instanceof Error ? error.message : String(error);
+      problem = isNoRoom(error) ? NO_ROOM : message;
     }
   });
   await queue;

@@ -47,6 +47,9 @@ export function versionCache(scope: string, version: string): string {
   return `${cachePrefix(scope)}version:${version}`;
 }
 
+/** The problem of a device that gives the site too little room, among those in words. */
+export const NO_ROOM = "no room";
+
 /** Where a version's cache holds its list. No file of the site has this name. */
 export const LIST = "files-of-this-version.json";
 

@@ -1,5 +1,5 @@
 /**
- * A page in a frame of another site: `?embed`, marked by theme.js on the root element. A lab in it
+ * A page in a frame of another site: `?embed`, marked by early.ts on the root element. A lab in it
  * begins as the address says, or, `?embed=host`, as the page around it does, which talks with it
  * through a port (site/src/embed). May import `trace`, `ui` and the messages of `embed`.
  */

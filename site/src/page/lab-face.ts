@@ -8,6 +8,7 @@ import type { Cell } from "../trace/frames.ts";
 import type { Trace } from "../trace/trace.ts";
 import { icons } from "../ui/icons.ts";
 import { editorHint, keyWords } from "../ui/key-words.ts";
+import { part } from "../ui/part.ts";
 import { editorWords, labWords } from "../ui/strings.ts";
 import "../views/chart.ts";
 import "../views/console.ts";
@@ -100,5 +101,5 @@ function tools({ hintId, onCodeSize }: LabFace): TemplateResult {
 }
 
 async function openKeys(): Promise<void> {
-  (await import("./keys-dialog.ts")).showKeys();
+  (await part(() => import("./keys-dialog.ts"))).showKeys();
 }

@@ -12,6 +12,7 @@ import {
   tabWords,
   versionWords,
 } from "../ui/file-words.ts";
+import { part } from "../ui/part.ts";
 import { labWords, statusWords } from "../ui/strings.ts";
 import type { MenuGroup } from "./lab-menu.ts";
 import { areMap, mapItems, openMap } from "./map-files.ts";
@@ -184,7 +185,10 @@ export class LabFiles {
   }
 
   async #share(): Promise<void> {
-    const [{ showLink }, link] = await Promise.all([import("./share-dialog.ts"), this.#link()]);
+    const [{ showLink }, link] = await Promise.all([
+      part(() => import("./share-dialog.ts")),
+      this.#link(),
+    ]);
     showLink(link, () => this.#save());
   }
 
@@ -193,11 +197,11 @@ export class LabFiles {
     const { labAddress, lab, program, worlds } = this.#desk;
     const world = worlds.find(({ name }) => name === lab.world);
     if (!world || !isOwnMat(world.name)) return linkTo(labAddress, lab, program.text);
-    const { linkToMat } = await import("./mats/mat-file.ts");
+    const { linkToMat } = await part(() => import("./mats/mat-file.ts"));
     return linkToMat(labAddress, world, { seed: lab.seed, program: program.text });
   }
 }
 
 /** What few readers open is fetched when they do. */
 const dialogs = (): Promise<typeof import("./program-dialogs.ts")> =>
-  import("./program-dialogs.ts");
+  part(() => import("./program-dialogs.ts"));

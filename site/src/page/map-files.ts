@@ -3,6 +3,7 @@
  * the work is fetched on use. May import `runtime`, `trace`, `views` and `ui`.
  */
 import { mapMenuWords } from "../ui/file-words.ts";
+import { part } from "../ui/part.ts";
 import type { MenuGroup } from "./lab-menu.ts";
 import { type LabDesk, placeOfRun } from "./run-files.ts";
 import { chooseFiles } from "./text-file.ts";
@@ -39,9 +40,9 @@ export function areMap(files: readonly File[]): boolean {
 export async function openMap(desk: LabDesk, files: readonly File[]): Promise<void> {
   desk.say({ text: mapMenuWords.reading });
   const [{ readRosMap }, { backdropOf, reachOf }, { rosWords }] = await Promise.all([
-    import("./ros-map.ts"),
-    import("./ros-backdrop.ts"),
-    import("../ui/ros-words.ts"),
+    part(() => import("./ros-map.ts")),
+    part(() => import("./ros-backdrop.ts")),
+    part(() => import("../ui/ros-words.ts")),
   ]);
   const map = await readRosMap(desk.runtime, files);
   desk.lab.backdrop = backdropOf(map, () => remove(desk));
@@ -55,7 +56,7 @@ function remove(desk: LabDesk): void {
 }
 
 async function save(desk: LabDesk): Promise<void> {
-  const { drawnAt, saveRosMap } = await import("./ros-map.ts");
+  const { drawnAt, saveRosMap } = await part(() => import("./ros-map.ts"));
   const { world, seed } = placeOfRun(desk);
   const { trace, time } = desk.shown;
   const map = drawnAt(trace, time);

@@ -5,6 +5,7 @@
 import { files } from "virtual:python-files";
 import { html, nothing, type TemplateResult } from "lit";
 import type { KeeperStatus } from "../offline/messages.ts";
+import { NO_ROOM } from "../offline/site-files.ts";
 import { Dialog } from "../ui/dialog.ts";
 import { megabytes } from "../ui/dom.ts";
 import { offlineWords as words } from "../ui/offline-words.ts";
@@ -104,7 +105,7 @@ class OfflinePanel {
       </p>
       <p>${words.untouched}</p>
       <footer>
-        <p role="status">${problem ? words.problem(problem) : this.#said}</p>
+        <p role="status">${problem ? problemIn(problem) : this.#said}</p>
         ${this.#button(words.remove, false, () => this.#remove())}
         ${
           whole && numpy.have < numpy.of
@@ -130,7 +131,7 @@ class OfflinePanel {
       await keep(this.#root, withNumpy);
       await watch(this.#root);
     } catch (error) {
-      this.#said = words.problem(error instanceof Error ? error.message : String(error));
+      this.#said = problemIn(error instanceof Error ? error.message : String(error));
     }
     this.#working = false;
     await this.#draw();
@@ -147,4 +148,8 @@ class OfflinePanel {
     this.#said = words.removed;
     await this.#draw();
   }
+}
+
+function problemIn(what: string): string {
+  return what === NO_ROOM ? words.noRoom : words.problem(what);
 }

@@ -1,7 +1,9 @@
 /**
  * The page's side of what is kept for use without a network: it starts the service worker
- * (site/src/offline) and talks with it. May import `ui` and the messages of `offline`.
+ * (site/src/offline) and talks with it. May import `ui` and, of `offline`, the messages and `drop`.
  */
+
+import { clearCaches } from "../offline/drop.ts";
 import type { FromKeeper, KeeperStatus, ToKeeper } from "../offline/messages.ts";
 import { remember } from "../ui/dom.ts";
 
@@ -27,14 +29,14 @@ export async function keep(root: string, withNumpy = false): Promise<void> {
   const used = performance.getEntriesByType("resource").map(({ name }) => name);
   const parts: Extract<ToKeeper, { kind: "keep" }>["parts"] = ["site", "python"];
   if (withNumpy) parts.push("numpy");
-  await ask(registration, { kind: "keep", parts, used });
+  await ask(registration.active, { kind: "keep", parts, used });
 }
 
 /** What is on this device; null if nothing was ever kept, or it has been removed. */
 export async function status(root: string): Promise<KeeperStatus | null> {
   const registration = await navigator.serviceWorker.getRegistration(root);
   if (!registration?.active) return null;
-  const answer = await ask(registration, { kind: "status" });
+  const answer = await ask(registration.active, { kind: "status" });
   return answer.kind === "status" ? answer.status : null;
 }
 
@@ -42,7 +44,22 @@ export async function status(root: string): Promise<KeeperStatus | null> {
 export async function remove(root: string): Promise<void> {
   remember("offline", "no");
   const registration = await navigator.serviceWorker.getRegistration(root);
-  if (registration?.active) await ask(registration, { kind: "remove" });
+  if (!registration) return;
+  // A new version that is on its way has what it fetches to itself: it has to stop as well.
+  const { active, waiting, installing } = registration;
+  const workers = [installing, waiting, active].filter((worker) => worker !== null);
+  const answers = workers.map((worker) => ask(worker, { kind: "remove" }));
+  await Promise.race([Promise.allSettled(answers), after(ANSWER_MS)]);
+  await registration.unregister();
+  // Whatever a worker did not get round to.
+  await clearCaches(registration.scope);
+}
+
+/** A worker that does not answer for so long does not answer at all [ms]. */
+const ANSWER_MS = 5000;
+
+function after(ms: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, ms));
 }
 
 /** Has the version that waits take over, and shows this page anew with it. */
@@ -65,15 +82,15 @@ function begun({ active, installing, waiting }: ServiceWorkerRegistration): Prom
   });
 }
 
-function ask({ active }: ServiceWorkerRegistration, message: ToKeeper): Promise<FromKeeper> {
+function ask(worker: ServiceWorker | null, message: ToKeeper): Promise<FromKeeper> {
   const channel = new MessageChannel();
   return new Promise((resolve, reject) => {
-    if (!active) return reject(new Error("the service worker is gone"));
+    if (!worker) return reject(new Error("the service worker is gone"));
     channel.port1.onmessage = (event: MessageEvent<FromKeeper>) => {
       channel.port1.close();
       resolve(event.data);
     };
-    say(active, message, channel.port2);
+    say(worker, message, channel.port2);
   });
 }
 

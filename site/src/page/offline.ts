@@ -6,6 +6,7 @@
 import { html, render } from "lit";
 import { recall } from "../ui/dom.ts";
 import { offlineWords as words } from "../ui/offline-words.ts";
+import { part } from "../ui/part.ts";
 import { savesData, whenIdle } from "./when-wanted.ts";
 
 /** A reader who stays so long after Python is up stays; what they came for came first. [ms] */
@@ -14,7 +15,8 @@ const SETTLED_MS = 8000;
 export function showOffline(root: string): void {
   const place = document.querySelector<HTMLElement>(".site-footer .offline");
   if (place) {
-    const open = async (): Promise<void> => (await import("./offline-dialog.ts")).showDialog(root);
+    const open = async (): Promise<void> =>
+      (await part(() => import("./offline-dialog.ts"))).showDialog(root);
     render(html`<button type="button" class="link" @click=${open}>${words.open}</button>`, place);
   }
   whenIdle(() => void watch(root));
@@ -30,10 +32,10 @@ export function keepSoon(root: string): void {
 }
 
 async function keepNow(root: string): Promise<void> {
-  const { keep, obstacle } = await import("./offline-keeper.ts");
-  if (obstacle() !== null || recall("offline") === "no") return;
   // Nobody has asked for it, so nobody is told of a failure; the next visit tries again.
   try {
+    const { keep, obstacle } = await import("./offline-keeper.ts");
+    if (obstacle() !== null || recall("offline") === "no") return;
     await keep(root);
     await watch(root);
   } catch (error) {
@@ -45,6 +47,6 @@ async function keepNow(root: string): Promise<void> {
 export async function watch(root: string): Promise<void> {
   const registration = await navigator.serviceWorker?.getRegistration(root);
   if (!registration) return;
-  const { tellOfNewVersions } = await import("./new-version.ts");
+  const { tellOfNewVersions } = await part(() => import("./new-version.ts"));
   tellOfNewVersions(registration);
 }

@@ -4,6 +4,7 @@
  */
 import type { Mark, Where } from "../runtime/marks.ts";
 import type { Result } from "../runtime/results.ts";
+import { part } from "../ui/part.ts";
 import type { Progress, ScoreRecord } from "./progress.ts";
 import type { CardInput } from "./results-card.ts";
 
@@ -33,9 +34,9 @@ export class TaskResults {
     }
     if (results.length > 0) {
       const [{ readResults }, { wrongCells }] = await Promise.all([
-        import("../runtime/results.ts"),
-        import("./result-map.ts"),
-        import("./results-card.ts"),
+        part(() => import("../runtime/results.ts")),
+        part(() => import("./result-map.ts")),
+        part(() => import("./results-card.ts")),
       ]);
       this.#wrongCells = wrongCells;
       this.#earlier = this.#results;

@@ -9,6 +9,7 @@ import { LitElement, type TemplateResult } from "lit";
 import type { Runtime } from "../runtime/client.ts";
 import type { Where } from "../runtime/marks.ts";
 import type { Result } from "../runtime/results.ts";
+import { part } from "../ui/part.ts";
 import { solutionWords, whereWords } from "../ui/task-words.ts";
 import type { BugbotLab } from "./lab.ts";
 import type { LessonData, TaskData } from "./lesson-data.ts";
@@ -163,7 +164,7 @@ export class BugbotTask extends LitElement {
   }
 
   async #saveRosMap(result: Result): Promise<void> {
-    const { saveResultMap } = await import("./result-map-file.ts");
+    const { saveResultMap } = await part(() => import("./result-map-file.ts"));
     this.#say(await saveResultMap(this.#services.runtime, result), null);
   }
 

@@ -3,6 +3,7 @@
  * program's own lab. What comes of it is shown beside the button's own words, where the reader is. The
  * build writes the buttons disabled, which is how they read without scripts. May import `lab`.
  */
+import { part } from "../ui/part.ts";
 import { tryWords } from "../ui/try-words.ts";
 import { holdStill, inPlace } from "./hold-still.ts";
 import { BugbotLab } from "./lab.ts";
@@ -18,7 +19,7 @@ export function startTries(root: ParentNode): void {
     if (!(lab instanceof BugbotLab)) throw new Error(`there is no lab "lab-${program}" to try on`);
     const values: Values = JSON.parse(constants ?? "{}");
     button.addEventListener("click", async () => {
-      const { TryResult } = await import("./try-result.ts");
+      const { TryResult } = await part(() => import("./try-result.ts"));
       const before = results.get(lab);
       before?.stopHolding();
       const result = new TryResult();

@@ -23,16 +23,19 @@ export class Assets {
     for (const file of [files.interpreter, files.snapshot, files.sources]) {
       this.progress.expect(file.bytes);
     }
-    this.#module = this.#unpack(files.interpreter, "application/wasm").then((response) =>
-      WebAssembly.compileStreaming(response),
+    this.#module = fetchUnpacked(
+      download(files.interpreter),
+      this.progress,
+      (response) => WebAssembly.compileStreaming(response),
+      "application/wasm",
     );
-    this.#snapshot = this.#unpack(files.snapshot)
-      .then((response) => response.blob())
-      .catch((error: unknown) => {
+    this.#snapshot = this.#unpack(files.snapshot, (response) => response.blob()).catch(
+      (error: unknown) => {
         note(error);
         return null;
-      });
-    this.#sources = this.#unpack(files.sources).then(async (response) =>
+      },
+    );
+    this.#sources = this.#unpack(files.sources, async (response) =>
       encoded((await response.json()) as Record<string, string>),
     );
     // Each is awaited in boot(); until then a failure is not "unhandled".
@@ -107,12 +110,18 @@ export class Assets {
     return true;
   }
 
-  #unpack(file: PythonFile, contentType?: string): Promise<Response> {
-    return fetchUnpacked(download(file), this.progress, contentType);
+  #unpack<Result>(file: PythonFile, use: (response: Response) => Promise<Result>): Promise<Result> {
+    return fetchUnpacked(download(file), this.progress, use);
   }
 
-  async #bytes(file: PythonFile, progress: Progress): Promise<ArrayBuffer> {
-    return new Response(await fetchCounted(download(file), progress)).arrayBuffer();
+  #bytes(file: PythonFile, progress: Progress): Promise<ArrayBuffer> {
+    return fetchCounted(download(file), progress, async (body) => {
+      const bytes = await new Response(body).arrayBuffer();
+      if (bytes.byteLength !== file.bytes) {
+        throw new Error(`${bytes.byteLength} of ${file.bytes} bytes`);
+      }
+      return bytes;
+    });
   }
 }
 

@@ -4,11 +4,12 @@
 import type { World } from "../trace/events.ts";
 import type { Trace } from "../trace/trace.ts";
 import { Assets } from "./assets.ts";
-import type { Converted } from "./converter.ts";
+import { type Converted, convert } from "./converter.ts";
 import { type Marked, Marker, type MarkListeners } from "./marker.ts";
 import type { JudgeRequest, RunRequest } from "./messages.ts";
 import { Pool, type Workers } from "./pool.ts";
 import { Run, type RunListeners } from "./run.ts";
+import { NotLoaded } from "./scripts.ts";
 
 export type { Converted } from "./converter.ts";
 export type { Marked, MarkListeners, MarkProgress } from "./marker.ts";
@@ -100,7 +101,6 @@ export class Runtime extends EventTarget {
    */
   async convert(request: string, files: readonly ArrayBuffer[] = []): Promise<Converted> {
     const { workers, assets } = this.#staff();
-    const { convert } = await import("./converter.ts");
     return convert(request, files, workers, assets);
   }
 
@@ -149,7 +149,8 @@ export class Runtime extends EventTarget {
     this.#become("loading");
     try {
       await pool.prepare().catch(async (error: unknown) => {
-        if (!(await assets.dropSnapshot(error))) throw error;
+        const isSnapshots = !(error instanceof NotLoaded);
+        if (!isSnapshots || !(await assets.dropSnapshot(error))) throw error;
         await pool.prepare();
       });
     } catch (error) {

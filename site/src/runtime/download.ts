@@ -17,7 +17,7 @@ export class Progress extends EventTarget {
   }
 
   add(bytes: number): void {
-    this.loaded = Math.min(this.total, this.loaded + bytes);
+    this.loaded = Math.max(0, Math.min(this.total, this.loaded + bytes));
     this.#changed();
   }
 
@@ -26,39 +26,82 @@ export class Progress extends EventTarget {
   }
 }
 
-/** The body of a file, each piece counted as it arrives. Throws an Error that names the file. */
-export async function fetchCounted(
+/**
+ * What `use` makes of a file's body, each piece counted as it arrives. What fails is done once more,
+ * past every cache: what came may have been a damaged copy. Throws an Error that names the file.
+ */
+export async function fetchCounted<Result>(
   download: Download,
   progress: Progress,
-): Promise<ReadableStream<Uint8Array<ArrayBuffer>>> {
+  use: (body: Body) => Promise<Result>,
+): Promise<Result> {
+  const attempt = async (cache: RequestCache): Promise<Result> => {
+    let counted = 0;
+    const count = (bytes: number): void => {
+      counted += bytes;
+      progress.add(bytes);
+    };
+    try {
+      return await use(await bodyOf(download.url, cache, count));
+    } catch (error) {
+      progress.add(-counted);
+      throw error;
+    }
+  };
+  try {
+    return await attempt("default");
+  } catch {
+    // The next moment, or another copy, may be a better one.
+  }
+  try {
+    return await attempt("reload");
+  } catch (error) {
+    if (error instanceof NotFetched) throw error;
+    const why = error instanceof Error ? error.message : String(error);
+    throw new Error(`${fileName(download.url)} did not arrive as it was published (${why})`);
+  }
+}
+
+type Body = ReadableStream<Uint8Array<ArrayBuffer>>;
+
+/** A file that the network or the server does not give. */
+class NotFetched extends Error {}
+
+async function bodyOf(
+  url: string,
+  cache: RequestCache,
+  count: (bytes: number) => void,
+): Promise<Body> {
   let response: Response;
   try {
-    response = await fetch(download.url);
+    response = await fetch(url, { cache });
   } catch {
-    throw new Error(`${fileName(download.url)} could not be fetched: is the network there?`);
+    throw new NotFetched(`${fileName(url)} could not be fetched: is the network there?`);
   }
   if (!response.ok || !response.body) {
-    throw new Error(`${fileName(download.url)} could not be fetched: status ${response.status}`);
+    throw new NotFetched(`${fileName(url)} could not be fetched: status ${response.status}`);
   }
   return response.body.pipeThrough(
     new TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>({
       transform(piece, controller) {
-        progress.add(piece.byteLength);
+        count(piece.byteLength);
         controller.enqueue(piece);
       },
     }),
   );
 }
 
-/** The unpacked content of a gzipped file, as a Response, which turns into whatever is wanted. */
-export async function fetchUnpacked(
+/** What `use` makes of the unpacked content of a gzipped file, as a Response. */
+export function fetchUnpacked<Result>(
   download: Download,
   progress: Progress,
+  use: (response: Response) => Promise<Result>,
   contentType = "application/octet-stream",
-): Promise<Response> {
-  const packed = await fetchCounted(download, progress);
-  const stream = packed.pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream, { headers: { "Content-Type": contentType } });
+): Promise<Result> {
+  return fetchCounted(download, progress, (packed) => {
+    const stream = packed.pipeThrough(new DecompressionStream("gzip"));
+    return use(new Response(stream, { headers: { "Content-Type": contentType } }));
+  });
 }
 
 function fileName(url: string): string {

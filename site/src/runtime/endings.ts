@@ -6,6 +6,8 @@ import type { DeathReason, Limits } from "./messages.ts";
 export type Ending =
   | { kind: "finished" }
   | { kind: "stopped" }
+  /** There was no interpreter to run it; why, in words. */
+  | { kind: "unloaded"; message: string }
   /** Computed for too long with no simulated time passing; on which line, if that is known. */
   | { kind: "silent"; line: number | null }
   | { kind: "died"; reason: DeathReason; line: number | null; message: string };
@@ -17,6 +19,13 @@ export function explain(ending: Ending, trace: Trace, limits: Limits): Chunk {
   switch (ending.kind) {
     case "stopped":
       return end(t, "stopped", `Stopped at ${at}.`);
+    case "unloaded":
+      return end(
+        t,
+        "limit",
+        `The program could not run, because Python could not start: ${ending.message}. ` +
+          "Reload the page; your program is kept.",
+      );
     case "silent":
       return end(
         t,

@@ -6,6 +6,7 @@
  */
 import workerUrl from "../worker/worker.ts?worker&url";
 import { type Boot, type FromWorker, isFromWorker, type ToWorker } from "./messages.ts";
+import { isOfLoading, NotLoaded, refresh } from "./scripts.ts";
 
 /** What one needs of an interpreter to work with it. */
 export interface Partner {
@@ -126,15 +127,36 @@ export class Pool {
 
   /** A new interpreter that is nobody's spare. */
   async start(): Promise<Interpreter> {
-    const interpreter = new Interpreter(await this.#boot());
+    const boot = await this.#boot();
     try {
-      await interpreter.ready;
+      return await begun(boot);
     } catch (error) {
-      interpreter.end();
-      throw error;
+      if (!isOfLoading(error)) throw error;
+      const scripts = LOADED.map((name) => `${boot.pyodideUrl}${name}`);
+      const wrong = await refresh([WORKER, ...scripts]);
+      try {
+        return await begun(boot);
+      } catch (again) {
+        throw new NotLoaded(wrong ?? (again instanceof Error ? again.message : String(again)));
+      }
     }
-    return interpreter;
   }
+}
+
+/** The worker's own script, and what it loads of Pyodide. */
+const WORKER = new URL(workerUrl, import.meta.url).href;
+const LOADED = ["pyodide.mjs", "pyodide.asm.mjs"];
+
+/** A new interpreter, once it is ready. */
+async function begun(boot: Boot): Promise<Interpreter> {
+  const interpreter = new Interpreter(boot);
+  try {
+    await interpreter.ready;
+  } catch (error) {
+    interpreter.end();
+    throw error;
+  }
+  return interpreter;
 }
 
 /**
@@ -145,7 +167,7 @@ export class Pool {
  * what a blob's `import` names. A message that comes before the script is held for it.
  */
 function startWorker(): Worker {
-  const url = JSON.stringify(new URL(workerUrl, import.meta.url).href);
+  const url = JSON.stringify(WORKER);
   const script = `
     let early = null;
     self.onmessage = (event) => { early = event; };

@@ -79,7 +79,14 @@ export class Run {
   }
 
   async #begin(watch: Watch): Promise<void> {
-    const interpreter = await this.#workers.take();
+    let interpreter: Partner;
+    try {
+      interpreter = await this.#workers.take();
+    } catch (error) {
+      const message = error instanceof Error ? error.message : String(error);
+      this.#end({ kind: "unloaded", message });
+      return;
+    }
     if (this.#ended) {
       interpreter.end();
       return;

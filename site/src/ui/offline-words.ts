@@ -23,6 +23,8 @@ export const offlineWords = {
   untouched: "Your programs and your progress are kept apart from this; removing it leaves them.",
   remove: "Remove from this device",
   removed: "Removed. It is not kept again unless you ask for it here.",
+  noRoom:
+    "This device has no room for it. With a network the site works all the same; free some space and try again.",
   problem: (what: string): string => `That did not work: ${what}.`,
   insecure:
     "Browsers keep sites for offline use only if their address begins with https (or is this very computer's). This one's does not.",

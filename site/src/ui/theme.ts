@@ -2,7 +2,7 @@
  * Light, dark, or as the device says. Imports nothing of ours but `dom`.
  *
  * The choice is an attribute of the root element that `base.css` turns into a colour scheme.
- * `public/theme.js` sets the same attribute before the first paint.
+ * `early/early.ts` sets the same attribute before the first paint.
  */
 import { recall, remember } from "./dom.ts";
 

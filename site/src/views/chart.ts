@@ -9,6 +9,7 @@ import { html, LitElement, nothing, svg, type TemplateResult } from "lit";
 import type uPlot from "uplot";
 import type { Player } from "../player/player.ts";
 import type { Trace } from "../trace/trace.ts";
+import { part } from "../ui/part.ts";
 import { chartWords as words } from "../ui/view-words.ts";
 import {
   csvOf,
@@ -170,7 +171,7 @@ export class ChartView extends LitElement {
   }
 
   async #fetchDrawing(): Promise<void> {
-    drawing = await import("./chart-plot.ts");
+    drawing = await part(() => import("./chart-plot.ts"));
     this.requestUpdate();
   }
 
