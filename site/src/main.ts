@@ -60,7 +60,10 @@ if (matPlace) {
 
 // The editor is the largest part of the site: it comes when a lab is near, or the page is idle.
 const places = [...document.querySelectorAll("bugbot-lab, bugbot-task")];
-if (places.length > 0) whenNear(places, () => void startLabs().catch(tellMissing));
+const begin = (): void => void startLabs().catch(tellMissing);
+// Browsers hold up a frame that is out of sight, and the page around it may ask for a run all the same.
+if (document.documentElement.dataset.embed === "host") begin();
+else if (places.length > 0) whenNear(places, begin);
 else if (keeps) whenWanted([], () => keepSoon(home));
 // Whatever of the page has not come by now, site/src/early tells of.
 document.dispatchEvent(new Event("bugbot-up"));

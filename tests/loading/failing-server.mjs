@@ -1,8 +1,8 @@
 /**
  * A plain static host of which one file fails, in one of these ways, so many times.
  *
- * @typedef {"500" | "cut" | "404" | "wrong"} Failure  `cut` breaks off in the middle; `wrong` is a page
- *   that says sorry in place of the file, with status 200
+ * @typedef {"500" | "503" | "404" | "cut" | "wrong" | "hang"} Failure  `cut` breaks off in the middle;
+ *   `wrong` is a page that says sorry in place of the file, with status 200; `hang` never answers
  * @typedef {{ path: string, failure: Failure, times: number }} Fault
  */
 import { existsSync, readFileSync, statSync } from "node:fs";
@@ -82,6 +82,7 @@ export class FailingServer {
    * @param {import("node:http").OutgoingHttpHeaders} head @param {Buffer} data
    */
   #fail(failure, response, head, data) {
+    if (failure === "hang") return;
     if (failure === "cut") {
       response.writeHead(200, head);
       response.write(data.subarray(0, data.length >> 1), () => response.destroy());

@@ -17,7 +17,7 @@ const MAY_IMPORT: Record<string, string[]> = {
   editor: ["ui"],
   figures: ["ui", "trace/frames.ts"],
   offline: [],
-  early: ["offline/drop.ts"],
+  early: ["offline/drop.ts", "embed/messages.ts"],
   embed: ["trace/events.ts"],
   page: [
     "trace",

@@ -1,8 +1,10 @@
 /**
  * Watches over what a page loads: scripts, style sheets, the page itself, and the parts that are
  * fetched later (`ui/part.ts`). What does not arrive is tried once more; then the reader is told, with
- * a reason where one can be found, and a button that reloads. Imports the note and the words.
+ * a reason where one can be found, and a button that reloads. Of `embed` it imports what a page
+ * around this one is told.
  */
+import { MISSING } from "../embed/messages.ts";
 import { Note } from "./note.ts";
 import { earlyWords as words } from "./words.ts";
 
@@ -87,6 +89,7 @@ export class Arrivals {
     this.#note.show([what, ...remedy()]);
     const reason = await reasonFor(address);
     if (reason) this.#note.show([what, reason, ...remedy()]);
+    if (!this.#isUp) parent.postMessage(MISSING + (reason ? `${what} ${reason}` : what), "*");
     // Something else may go missing once this has been put away.
     this.#isTold = false;
   }

@@ -3,17 +3,10 @@
  * begins as the address says, or, `?embed=host`, as the page around it does, which talks with it
  * through a port (site/src/embed). May import `trace`, `ui` and the messages of `embed`.
  */
-import {
-  type FromLab,
-  type Greeting,
-  HELLO,
-  type LabState,
-  type Start,
-  type ToLab,
-} from "../embed/messages.ts";
+import { type Greeting, HELLO, type Start } from "../embed/messages.ts";
 import type { World } from "../trace/events.ts";
-import { embedWords } from "../ui/strings.ts";
 import { readAddress } from "./address.ts";
+import { noWorld, talk } from "./embedded-talk.ts";
 import { packedIn, ShareError, unpack } from "./share.ts";
 import "./embedded.css";
 import type { BugbotLab } from "./lab.ts";
@@ -70,66 +63,45 @@ export function connectLab(
   if (port) talk(lab, port, worlds);
 }
 
-function talk(lab: BugbotLab, port: MessagePort, worlds: readonly World[]): void {
-  const say = (message: FromLab): void => port.postMessage(message);
-  const tell = (): void => {
-    const { program, world, seed } = lab;
-    say({ kind: "state", state: { program, world, seed } });
-  };
-  const set = async ({ world, seed, program }: Partial<LabState>): Promise<void> => {
-    // The world first: with it comes the program that belongs to it.
-    const known = worlds.some(({ name }) => name === world);
-    if (world !== undefined && known) lab.world = world;
-    if (seed !== undefined) lab.seed = seed;
-    await lab.updateComplete;
-    if (program !== undefined) lab.program = program;
-    if (world !== undefined && !known) lab.say({ text: noWorld(world, worlds) });
-    tell();
-  };
-  /** Whatever comes after a change waits until the change is made. */
-  let changed = lab.updateComplete.then(tell);
-  port.onmessage = async ({ data }: MessageEvent<ToLab>): Promise<void> => {
-    if (data.kind === "set") changed = changed.then(() => set(data.state));
-    await changed;
-    if (data.kind === "stop") lab.stop();
-    if (data.kind === "seek") lab.seek(data.seconds);
-    if (data.kind !== "run") return;
-    const { id } = data;
-    try {
-      say({ kind: "outcome", id, outcome: await lab.run() });
-    } catch (error) {
-      say({ kind: "failed", id, message: error instanceof Error ? error.message : String(error) });
-    }
-  };
-  lab.addEventListener("place-change", tell);
-  lab.addEventListener("program-change", tell);
-  new ResizeObserver(() => {
-    say({ kind: "height", pixels: Math.ceil(document.body.getBoundingClientRect().height) });
-  }).observe(document.body);
-}
-
-function noWorld(name: string, worlds: readonly World[]): string {
-  return embedWords.noWorld(name, worlds.map((world) => world.name).join(", "));
-}
-
 interface Asked {
   start: Start;
   port: MessagePort | null;
   problem: string | null;
 }
 
-/** Waits for the page around this one to say how to begin. */
+/** A page around this one that knows of `embed.js` answers at once; a busy one has so long [ms]. */
+const GREETING_MS = 10_000;
+
+/** Waits for the page around this one to say how to begin; without an answer the address says it. */
 function greeting(): Promise<Asked> {
   return new Promise((resolve) => {
-    const listener = ({ source, data, ports }: MessageEvent<Greeting>): void => {
+    const listener = ({ source, data, ports }: MessageEvent<Greeting | null>): void => {
       if (source !== parent || data?.kind !== HELLO) return;
       removeEventListener("message", listener);
-      resolve({ start: data.start, port: ports[0] ?? null, problem: null });
+      resolve({ start: checked(data.start), port: ports[0] ?? null, problem: null });
     };
     addEventListener("message", listener);
+    setTimeout(() => void fromAddress().then(resolve), GREETING_MS);
     // There is nothing in it that not everybody may know.
     parent.postMessage(HELLO, "*");
   });
+}
+
+/** A host may send anything: what does not fit is left out. */
+function checked(start: unknown): Start {
+  const given = typeof start === "object" && start !== null ? start : {};
+  const text = (name: keyof Start): string | null => {
+    const value: unknown = (given as Partial<Record<keyof Start, unknown>>)[name];
+    return typeof value === "string" ? value : null;
+  };
+  return {
+    program: text("program"),
+    world: text("world"),
+    seed: text("seed"),
+    label: text("label"),
+    pickers: "pickers" in given && given.pickers === true,
+    name: text("name") ?? "",
+  };
 }
 
 async function fromAddress(): Promise<Asked> {

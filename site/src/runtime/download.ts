@@ -62,6 +62,9 @@ export async function fetchCounted<Result>(
   }
 }
 
+/** A server that sends nothing for so long has forgotten about it [ms]. */
+const STALL_MS = 30_000;
+
 type Body = ReadableStream<Uint8Array<ArrayBuffer>>;
 
 /** A file that the network or the server does not give. */
@@ -73,19 +76,35 @@ async function bodyOf(
   count: (bytes: number) => void,
 ): Promise<Body> {
   let response: Response;
+  const stalled = new AbortController();
+  let patience: ReturnType<typeof setTimeout> | undefined;
+  const wait = (): void => {
+    clearTimeout(patience);
+    patience = setTimeout(() => {
+      stalled.abort(new NotFetched(`${fileName(url)} has stopped coming`));
+    }, STALL_MS);
+  };
+  wait();
   try {
-    response = await fetch(url, { cache });
-  } catch {
+    response = await fetch(url, { cache, signal: stalled.signal });
+  } catch (error) {
+    clearTimeout(patience);
+    if (error instanceof NotFetched) throw error;
     throw new NotFetched(`${fileName(url)} could not be fetched: is the network there?`);
   }
   if (!response.ok || !response.body) {
+    clearTimeout(patience);
     throw new NotFetched(`${fileName(url)} could not be fetched: status ${response.status}`);
   }
   return response.body.pipeThrough(
     new TransformStream<Uint8Array<ArrayBuffer>, Uint8Array<ArrayBuffer>>({
       transform(piece, controller) {
+        wait();
         count(piece.byteLength);
         controller.enqueue(piece);
+      },
+      flush() {
+        clearTimeout(patience);
       },
     }),
   );

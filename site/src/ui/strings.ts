@@ -112,4 +112,10 @@ for angle, cm in scan():     # eight beams, left to right
 export const embedWords = {
   noWorld: (name: string, there: string): string =>
     `There is no world "${name}" here. There are: ${there}.`,
+  /** What the page around the lab has set, and can't be. */
+  wrong: (what: "program" | "world" | "seed" | "seek", got: string): string => {
+    const wanted = { program: "a text", world: "a name", seed: "a whole number", seek: "a number" };
+    return `The page around this lab has given ${got} as its ${what}; it takes ${wanted[what]}. Nothing has changed.`;
+  },
+  unknown: "The page around this lab has sent something that the lab does not understand.",
 };
