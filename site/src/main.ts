@@ -48,6 +48,12 @@ if (document.querySelector("progress-tools")) {
   defineProgressTools(progress);
 }
 
+const progressShown = document.querySelector<HTMLElement>(".lesson-head, progress-tools");
+if (progressShown && progress.unread.length > 0) {
+  const { showUnread } = await part(() => import("./page/progress-unread.ts"));
+  showUnread(progressShown, progress);
+}
+
 followContents(document);
 const lesson = readLessonData(document);
 if (lesson) showLessonPage(document, lesson, progress);

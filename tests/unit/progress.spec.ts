@@ -160,3 +160,98 @@ test("a score that is none is left out of a file", () => {
   progress.import(text);
   expect(progress.of("a", "b")).toEqual({ state: "tried", hints: 0, solution: false, at: 1 });
 });
+
+const FOREIGN = {
+  newer: '{"format":"bugbot-progress","version":2,"done":["u8-1/cell-of"]}',
+  "of somebody else": '{"format":"another program"}',
+  "cut off": '{"format":"bugbot-progress","version":1,"tasks":{"u8-1/cell-of":{"state":"pass',
+  "with a task that is none":
+    '{"format":"bugbot-progress","version":1,"last":null,"tasks":{"u8-1/centre":{"state":"passed","hints":0,"solution":false,"at":1},"u8-1/size":{"state":"gold"}}}',
+  "with a moment that is none":
+    '{"format":"bugbot-progress","version":1,"last":null,"tasks":{"u8-1/size":{"state":"passed","hints":0,"solution":false,"at":1e300}}}',
+};
+
+for (const [what, text] of Object.entries(FOREIGN)) {
+  test(`a record ${what} is never lost by going on`, () => {
+    const storage = new Map<string, string>([["bugbot:progress", text]]);
+    const device = {
+      getItem: (name: string) => storage.get(name) ?? null,
+      setItem: (name: string, value: string) => void storage.set(name, value),
+      removeItem: (name: string) => void storage.delete(name),
+    } as unknown as Storage;
+    const progress = progressOn(device);
+    expect(progress.unread.map((unread) => unread.text)).toEqual([text]);
+    progress.visit("u8-1", "cell-of");
+    progress.marked("u8-1", "cell-of", true);
+    expect([...storage.values()]).toContain(text);
+    const after = progressOn(device);
+    expect(after.of("u8-1", "cell-of")?.state).toBe("passed");
+    expect(after.unread.map((unread) => unread.text)).toEqual([text]);
+    if (what === "newer") expect(storage.get("bugbot:progress")).toBe(text);
+    if (text.includes("centre")) expect(after.of("u8-1", "centre")?.state).toBe("passed");
+    // What was never told of can be cleared, and brought back.
+    const undo = after.clear();
+    expect(after.empty).toBe(true);
+    undo();
+    expect([...storage.values()]).toContain(text);
+    expect(after.of("u8-1", "cell-of")?.state).toBe("passed");
+  });
+}
+
+test("what was kept beside a newer record is taken in once that can be read", () => {
+  const storage = device();
+  storage.setItem("bugbot:progress", FOREIGN.newer);
+  progressOn(storage).marked("u8-1", "cell-of", true);
+  const other = progressOn(device());
+  other.marked("u8-1", "centre", true);
+  storage.setItem("bugbot:progress", other.export());
+  const progress = progressOn(storage);
+  progress.marked("u8-1", "size", false);
+  expect(progressOn(storage).count("u8-1", ["cell-of", "centre", "size"]).passed).toBe(2);
+  expect(storage.getItem("bugbot:progress:beside")).toBeNull();
+});
+
+test("a file of as many tasks as there may be does not cost what is here", () => {
+  const many = (from: number, count: number): string => {
+    const tasks = Object.fromEntries(
+      Array.from({ length: count }, (_, n) => [
+        `other/task-${from + n}`,
+        { state: "passed", hints: 0, solution: false, at: 1 },
+      ]),
+    );
+    return JSON.stringify({ format: "bugbot-progress", version: 1, tasks, last: null });
+  };
+  const storage = device();
+  const progress = progressOn(storage);
+  progress.marked("u8-1", "cell-of", true);
+  expect(() => progress.import(many(0, 5000))).toThrow("more than 5,000 tasks");
+  expect(progressOn(storage).of("u8-1", "cell-of")?.state).toBe("passed");
+  progress.import(many(0, 4999));
+  // One more of one's own: a device may hold more than a file.
+  progress.marked("u8-1", "centre", true);
+  expect(progressOn(storage).count("u8-1", ["cell-of", "centre"]).passed).toBe(2);
+});
+
+test("scores of another maximum are kept apart, and a moment that is none is refused", () => {
+  const storage = device();
+  const progress = progressOn(storage);
+  progress.scored("u8-7", "project", 80, 100);
+  const file = (score: object): string =>
+    JSON.stringify({
+      format: "bugbot-progress",
+      version: 1,
+      last: null,
+      tasks: { "u8-7/project": { state: "tried", hints: 0, solution: false, at: 1, score } },
+    });
+  progress.import(file({ best: 1, bestAt: 900, last: 1, lastAt: 900, of: 5 }));
+  const after = progressOn(storage).of("u8-7", "project");
+  expect(after?.score).toMatchObject({ best: 80, of: 100 });
+  expect(after?.others).toMatchObject([{ best: 1, of: 5 }]);
+  // The task itself counts another way now: that is what counts, and what was reached is still there.
+  progress.scored("u8-7", "project", 3, 5);
+  expect(progress.of("u8-7", "project")?.score).toMatchObject({ best: 3, last: 3, of: 5 });
+  expect(progress.of("u8-7", "project")?.others).toMatchObject([{ best: 80, of: 100 }]);
+  expect(() => progress.import(file({}).replace('"at":1', '"at":1e300'))).toThrow("damaged");
+  progress.import(file({ best: 99, bestAt: 1e300, last: 9, lastAt: 1, of: 100 }));
+  expect(progress.of("u8-7", "project")?.others).toMatchObject([{ best: 80, of: 100 }]);
+});

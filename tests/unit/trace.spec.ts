@@ -1,6 +1,7 @@
 import { expect, test } from "@playwright/test";
 import { TraceError } from "../../site/src/trace/decode.ts";
 import { KINDS } from "../../site/src/trace/events.ts";
+import { readTraceFile, writeTraceFile } from "../../site/src/trace/file.ts";
 import { Trace } from "../../site/src/trace/trace.ts";
 import { grow, header, TWO_SECONDS, traceOf, twoSeconds, WORLD } from "./traces.ts";
 
@@ -265,5 +266,31 @@ test.describe("what is refused", () => {
     expect(() => grow(trace, [["line", 0, 1]], Array(1000).fill(0))).toThrow(TraceError);
     grow(trace, [["print", 0, "stdout", "x".repeat(900)]]);
     expect(trace.consoleText(0)).toHaveLength(900);
+  });
+});
+
+test.describe("files that are no runs", () => {
+  const head = JSON.stringify(header());
+  const many = 45_000_000;
+  const files: Record<string, () => string> = {
+    "45 million opening brackets": () => `${head}\n${"[".repeat(many)}`,
+    "the same within a list": () => `${head}\n["pose",${"[".repeat(many)}`,
+    "as many empty lists": () => `${head}\n[${"[],".repeat(many / 3)}[]]`,
+    "as many records": () => `${head}\n${'{"a":'.repeat(many / 5)}`,
+    "brackets in the header": () => `${head.slice(0, -1)},"more":${"[".repeat(many)}`,
+    "45 million empty lines": () => `${head}\n${"\n".repeat(many)}`,
+  };
+  for (const [what, text] of Object.entries(files)) {
+    test(`${what} are refused in words`, () => {
+      expect(() => readTraceFile(text())).toThrow(TraceError);
+    });
+  }
+
+  test("brackets in what a program printed are no brackets of the file", () => {
+    const trace = traceOf([
+      ["print", 0, "stdout", `${"[".repeat(50_000)}\\" {{"`],
+      ["end", 0, "finished", "Finished."],
+    ]);
+    expect(readTraceFile(writeTraceFile(trace)).complete).toBe(true);
   });
 });

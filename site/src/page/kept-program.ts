@@ -5,10 +5,12 @@
  * the versions first. May import `storage` and `versions`.
  */
 import type { ProgramStore } from "./storage.ts";
-import { readVersions, type Version, withVersion } from "./versions.ts";
+import { isLargeLoss, lostFrom, readVersions, type Version, withVersion } from "./versions.ts";
 
 /** Typing is kept once it pauses for this long; leaving the page keeps it at once. */
 const PAUSE_MS = 250;
+/** Who types without a pause has it kept so often. */
+const LONGEST_MS = 1000;
 
 export class KeptProgram {
   readonly #store: ProgramStore;
@@ -19,6 +21,13 @@ export class KeptProgram {
   #last: string | null = null;
   #unkept: string | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** When the text that waits to be kept has to be, however fast the typing goes on. */
+  #latest: number | null = null;
+  /** The fullest text since the last version, and the one before this change. */
+  #fullest: string;
+  #before: string;
+  /** What the other tab had when it was last put aside. */
+  #theirs: string | null = null;
 
   /** `onRefused` is called each time the device would not keep what was typed. */
   constructor(store: ProgramStore, key: string, starter: string, onRefused: () => void) {
@@ -27,6 +36,8 @@ export class KeptProgram {
     this.#starter = starter;
     this.#onRefused = onRefused;
     this.#last = this.load();
+    this.#before = this.#last ?? starter;
+    this.#fullest = this.#before;
   }
 
   /** The learner's program as it was kept last, in any tab; null where there is only the starter. */
@@ -50,10 +61,28 @@ export class KeptProgram {
     this.#store.keep(this.#name("starter"), this.#starter);
   }
 
-  changed(program: string): void {
+  changed(program: string, now = Date.now()): void {
+    this.#guard(program, now);
     this.#unkept = program;
+    this.#latest ??= now + LONGEST_MS;
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => this.flush(), PAUSE_MS);
+    const wait = Math.max(0, Math.min(PAUSE_MS, this.#latest - now));
+    this.#timer = setTimeout(() => this.flush(), wait);
+  }
+
+  /** Before much of a text goes, at one stroke or one by one, it is put aside. */
+  #guard(program: string, now: number): void {
+    const lost = lostFrom(this.#fullest, program);
+    const atOnce = lostFrom(this.#before, program);
+    if (isLargeLoss(this.#before, atOnce, true)) this.putAside(this.#before, now);
+    else if (isLargeLoss(this.#fullest, lost, program.trim() === "")) {
+      this.putAside(this.#fullest, now);
+    } else if (program.length < this.#fullest.length) {
+      this.#before = program;
+      return;
+    }
+    this.#before = program;
+    this.#fullest = program;
   }
 
   /** Keeps what has been typed now. */
@@ -62,16 +91,30 @@ export class KeptProgram {
     const program = this.#unkept;
     if (program === null) return;
     this.#unkept = null;
+    this.#latest = null;
     const theirs = this.load();
-    if (theirs !== null && theirs !== this.#last && theirs !== program) this.putAside(theirs);
+    if (theirs !== null && theirs !== this.#last && theirs !== program)
+      this.#putTheirsAside(theirs);
     if (program === this.#starter) this.#forget();
     else this.#keep(program);
   }
 
-  /** Keeps a text as a version to go back to. The starter needs none: Reset program has it. */
-  putAside(text: string, now = Date.now()): void {
+  /** Where both tabs are typed in, the other's text grows: one version of it is enough. */
+  #putTheirsAside(theirs: string): void {
+    const before = this.#theirs;
+    const isGrown = before !== null && !isLargeLoss(before, lostFrom(before, theirs), true);
+    this.#theirs = theirs;
+    this.putAside(theirs, Date.now(), isGrown ? before : null);
+  }
+
+  /**
+   * Keeps a text as a version to go back to, in the place of another if it is more of the same. The
+   * starter needs none: Reset program has it.
+   */
+  putAside(text: string, now = Date.now(), inPlaceOf: string | null = null): void {
     if (text === this.#starter || text.trim() === "") return;
-    const list = withVersion(this.versions(), { at: now, text });
+    const others = this.versions().filter((version) => version.text !== inPlaceOf);
+    const list = withVersion(others, { at: now, text });
     const keep = (most: number): boolean =>
       this.#store.keep(this.#name("versions"), JSON.stringify(list.slice(0, most)));
     // On a full device the newest few are better than none.

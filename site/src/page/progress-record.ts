@@ -12,8 +12,10 @@ export interface TaskRecord {
   solution: boolean;
   /** When it was first passed, or else last tried [ms since 1970]. */
   at: number;
-  /** Of a task whose mark has a score. */
+  /** Of a task whose mark has a score: by the way to count that is in force here. */
   score?: ScoreRecord;
+  /** By other ways to count (another maximum): they can't be compared, and none is lost. */
+  others?: readonly ScoreRecord[];
 }
 
 /** The best and the last score of a task, each with its moment [ms since 1970]. */
@@ -43,8 +45,11 @@ export const NO_PROGRESS: ProgressRecord = { tasks: new Map(), last: null };
 const FORMAT = "bugbot-progress";
 const VERSION = 1;
 /** More tasks than any course has. */
-const MOST_TASKS = 5000;
+export const MOST_TASKS = 5000;
 const MOST_HINTS = 20;
+const MOST_SCORES = 20;
+/** The last moment that a date can tell [ms since 1970]. */
+const LAST_MOMENT = 8.64e15;
 const NAME = /^[a-z0-9][a-z0-9-]{0,99}$/;
 
 /** Why a text is no record of progress. */
@@ -59,29 +64,68 @@ export function writeProgress({ tasks, last }: ProgressRecord): string {
   return JSON.stringify({ ...format, tasks: Object.fromEntries(tasks), last }, null, 1);
 }
 
-/** What `writeProgress` wrote, or why it can't be read. A last place that is none is left out. */
-export function readProgress(text: string): ProgressRecord | Unreadable {
+/**
+ * What `writeProgress` wrote, or why it can't be read. A last place that is none is left out. A file from
+ * elsewhere has so many tasks at most.
+ */
+export function readProgress(text: string, most = MOST_TASKS): ProgressRecord | Unreadable {
+  const { record, wrong } = readAll(text);
+  return wrong ?? (record.tasks.size > most ? "damaged" : record);
+}
+
+export interface ReadAll {
+  /** As much as can be read. */
+  record: ProgressRecord;
+  /** What is wrong with the text, or null. */
+  wrong: Unreadable | null;
+  /** Nothing has been left out: no task, and no score that is none. */
+  whole: boolean;
+}
+
+/** As much of a text as can be read. */
+export function readAll(text: string): ReadAll {
+  const none = (wrong: Unreadable) => ({ record: NO_PROGRESS, wrong, whole: false });
   let value: unknown;
   try {
     value = JSON.parse(text);
   } catch {
-    return "no progress";
+    return none(text.includes(`"${FORMAT}"`) ? "damaged" : "no progress");
   }
-  if (!isRecord(value) || value.format !== FORMAT) return "no progress";
-  if (typeof value.version === "number" && value.version > VERSION) return "newer";
-  if (value.version !== VERSION || !isRecord(value.tasks)) return "damaged";
-  const entries = Object.entries(value.tasks);
-  if (entries.length > MOST_TASKS) return "damaged";
+  if (!isRecord(value) || value.format !== FORMAT) return none("no progress");
+  if (typeof value.version === "number" && value.version > VERSION) return none("newer");
+  if (value.version !== VERSION || !isRecord(value.tasks)) return none("damaged");
   const tasks = new Map<string, TaskRecord>();
-  for (const [key, task] of entries) {
-    if (!isKey(key) || !isTask(task)) return "damaged";
-    const { state, hints, solution, at, score } = task;
-    tasks.set(key, { state, hints, solution, at, ...(isScore(score) ? { score } : {}) });
+  let wrong: Unreadable | null = null;
+  let whole = true;
+  for (const [key, task] of Object.entries(value.tasks)) {
+    if (isKey(key) && isTask(task)) {
+      tasks.set(key, plain(task));
+      whole &&= task.score === undefined || isScore(task.score);
+      whole &&= task.others === undefined || isScores(task.others);
+    } else wrong = "damaged";
   }
-  return { tasks, last: isPlace(value.last) ? value.last : null };
+  const last = isPlace(value.last) ? value.last : null;
+  return { record: { tasks, last }, wrong, whole: whole && wrong === null };
 }
 
-/** Both together: nothing that either has is lost. The last place is that of the first. */
+/** The task without what is none of the format's. */
+function plain({ state, hints, solution, at, score, others }: TaskRecord): TaskRecord {
+  const scores = isScores(others) ? others.map(plainScore) : [];
+  return {
+    ...{ state, hints, solution, at },
+    ...(isScore(score) ? { score: plainScore(score) } : {}),
+    ...(scores.length > 0 ? { others: scores } : {}),
+  };
+}
+
+function plainScore({ best, bestAt, last, lastAt, of }: ScoreRecord): ScoreRecord {
+  return { best, bestAt, last, lastAt, of };
+}
+
+/**
+ * Both together: nothing that either has is lost. The last place, and the way to count scores, is that
+ * of the first.
+ */
 export function merged(one: ProgressRecord, other: ProgressRecord): ProgressRecord {
   const tasks = new Map(one.tasks);
   for (const [key, theirs] of other.tasks) {
@@ -93,21 +137,44 @@ export function merged(one: ProgressRecord, other: ProgressRecord): ProgressReco
 
 function mergedTask(one: TaskRecord, other: TaskRecord): TaskRecord {
   const passes = [one, other].filter(({ state }) => state === "passed").map(({ at }) => at);
-  const score = mergedScore(one.score, other.score);
+  const [score, ...others] = mergedScores([...scoresOf(one), ...scoresOf(other)]);
   return {
     state: passes.length > 0 ? "passed" : "tried",
     hints: Math.max(one.hints, other.hints),
     solution: one.solution || other.solution,
     at: passes.length > 0 ? Math.min(...passes) : Math.max(one.at, other.at),
     ...(score ? { score } : {}),
+    ...(others.length > 0 ? { others } : {}),
   };
 }
 
-/** The better best and the later last. Of two ways to count, the one used last is what counts. */
-function mergedScore(one?: ScoreRecord, other?: ScoreRecord): ScoreRecord | undefined {
-  if (!one || !other) return one ?? other;
+/** From now on scores of this task count by this maximum. */
+export function countedBy(task: TaskRecord, of: number): TaskRecord {
+  const scores = scoresOf(task);
+  const score = scores.find((one) => one.of === of);
+  if (!score) return task;
+  const others = scores.filter((one) => one !== score);
+  return { ...task, score, ...(others.length > 0 ? { others } : {}) };
+}
+
+function scoresOf({ score, others = [] }: TaskRecord): ScoreRecord[] {
+  return score ? [score, ...others] : [...others];
+}
+
+/** One for each maximum, in the order in which they first come. */
+function mergedScores(scores: readonly ScoreRecord[]): ScoreRecord[] {
+  const merged = new Map<number, ScoreRecord>();
+  for (const score of scores) {
+    const known = merged.get(score.of);
+    merged.set(score.of, known ? mergedScore(known, score) : score);
+  }
+  return [...merged.values()];
+}
+
+/** The better best and the later last, of two that count alike. */
+function mergedScore(one: ScoreRecord, other: ScoreRecord): ScoreRecord {
   const [earlier, later] = one.lastAt <= other.lastAt ? [one, other] : [other, one];
-  if (earlier.of !== later.of || later.best > earlier.best) return later;
+  if (later.best > earlier.best) return later;
   return { ...later, best: earlier.best, bestAt: earlier.bestAt };
 }
 
@@ -128,14 +195,26 @@ function isTask(value: unknown): value is TaskRecord {
     Number(value.hints) >= 0 &&
     Number(value.hints) <= MOST_HINTS &&
     typeof value.solution === "boolean" &&
-    Number.isFinite(value.at)
+    isMoment(value.at)
   );
+}
+
+function isMoment(value: unknown): boolean {
+  return Number.isFinite(value) && Math.abs(Number(value)) <= LAST_MOMENT;
+}
+
+function isScores(value: unknown): value is ScoreRecord[] {
+  return Array.isArray(value) && value.length <= MOST_SCORES && value.every(isScore);
 }
 
 function isScore(value: unknown): value is ScoreRecord {
   return (
     isRecord(value) &&
-    [value.best, value.bestAt, value.last, value.lastAt, value.of].every(Number.isFinite)
+    [value.best, value.last, value.of].every(Number.isFinite) &&
+    Number(value.of) > 0 &&
+    Number(value.best) <= Number(value.of) &&
+    isMoment(value.bestAt) &&
+    isMoment(value.lastAt)
   );
 }
 

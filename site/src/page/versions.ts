@@ -9,6 +9,8 @@ export interface Version {
   text: string;
 }
 
+/** The last moment that a date can tell [ms since 1970]. */
+const LAST_MOMENT = 8.64e15;
 export const MOST_VERSIONS = 30;
 /** All texts together; the newest is kept whatever its length [characters]. */
 export const MOST_CHARACTERS = 200_000;
@@ -43,8 +45,28 @@ function isVersion(item: unknown): item is Version {
     "at" in item &&
     "text" in item &&
     Number.isFinite(item.at) &&
+    Math.abs(Number(item.at)) <= LAST_MOMENT &&
     typeof item.text === "string"
   );
+}
+
+/** So much of a text is worth a version before it goes, and of a short one this [characters]. */
+const LARGE = 40;
+const LARGE_OF_SHORT = 4;
+
+/** How many characters of a text another has no longer, between what both begin and end with. */
+export function lostFrom(text: string, other: string): number {
+  const most = Math.min(text.length, other.length);
+  let start = 0;
+  while (start < most && text[start] === other[start]) start++;
+  let end = 0;
+  while (end < most - start && text.at(-1 - end) === other.at(-1 - end)) end++;
+  return text.length - start - end;
+}
+
+/** Whether so much is lost of a text that it should be kept; with `half`, half of a short one too. */
+export function isLargeLoss(text: string, lost: number, half: boolean): boolean {
+  return lost >= LARGE || (half && lost >= LARGE_OF_SHORT && lost >= text.trim().length / 2);
 }
 
 export interface Change {

@@ -9,28 +9,32 @@ import { Trace } from "./trace.ts";
 
 /** Throws TraceError, naming the line and what is wrong with it. */
 export function readTraceFile(text: string): Trace {
-  const lines = text.split("\n");
-  const trace = new Trace(decodeHeader(parse(lines[0] ?? "", "line 1"), "line 1"));
   const rows: unknown[] = [];
   const numbers: number[] = [];
+  let trace: Trace | null = null;
   let points: Int16Array | null = null;
-  for (let i = 1; i < lines.length; i++) {
-    const line = lines[i] as string;
-    if (line.trim() === "") continue;
-    const where = `line ${i + 1}`;
+  let number = 0;
+  for (const line of linesOf(text)) {
+    number += 1;
+    if (trace && line.trim() === "") continue;
+    const where = `line ${number}`;
+    if (!trace) {
+      trace = new Trace(decodeHeader(parse(line, where), where));
+      continue;
+    }
     if (points) throw new TraceError(`${where}: there is more after the points, the last row`);
     const row = parse(line, where);
     if (Array.isArray(row) && row[0] === "points") {
       points = decodePoints(row, where);
     } else {
       rows.push(row);
-      numbers.push(i + 1);
+      numbers.push(number);
     }
   }
-  if (!points) {
+  if (!trace || !points) {
     throw new TraceError("the points, the last row, are missing: the file is cut short");
   }
-  trace.appendRows(rows, points, (i) => `line ${numbers[i] ?? lines.length}`);
+  trace.appendRows(rows, points, (i) => `line ${numbers[i] ?? number}`);
   return trace;
 }
 
@@ -47,7 +51,55 @@ function rowOf(event: TraceEvent): unknown[] {
   return [event.kind, ...KINDS[event.kind].map((field) => values[field])];
 }
 
+/** A run has 64 MB at most, and no row takes less than a few dozen bytes. */
+const MOST_LINES = 3_000_000;
+
+/** One after the other: a file may consist of millions. */
+function* linesOf(text: string): Generator<string> {
+  let start = 0;
+  let count = 0;
+  for (let end = text.indexOf("\n"); end >= 0; end = text.indexOf("\n", start)) {
+    count += 1;
+    if (count > MOST_LINES) throw new TraceError(`line ${count}: no run has so many lines`);
+    yield text.slice(start, end);
+    start = end + 1;
+  }
+  yield text.slice(start);
+}
+
+/** A row is a flat list, and the header lists a world's obstacles: more of these is no trace. */
+const MOST_BRACKETS = 20_000;
+const DEEPEST = 8;
+
+/**
+ * Before a line is parsed: brackets by the million would take more memory than the tab has.
+ * Throws TraceError.
+ */
+function checkNesting(line: string, where: string): void {
+  let depth = 0;
+  let count = 0;
+  let inText = false;
+  for (let i = 0; i < line.length; i++) {
+    const sign = line.charCodeAt(i);
+    if (sign === QUOTE) inText = !inText;
+    else if (inText) {
+      if (sign === BACKSLASH) i += 1;
+    } else if (sign === LIST || sign === RECORD) {
+      depth += 1;
+      count += 1;
+      if (depth > DEEPEST || count > MOST_BRACKETS) {
+        throw new TraceError(`${where}: more brackets than a line of a run has`);
+      }
+    } else if (sign === LIST_END || sign === RECORD_END) depth -= 1;
+  }
+}
+
+const [QUOTE, BACKSLASH, LIST, LIST_END, RECORD, RECORD_END] = [...'"\\[]{}'].map((sign) =>
+  sign.charCodeAt(0),
+);
+
 function parse(line: string, where: string): unknown {
+  checkNesting(line, where);
   try {
     return JSON.parse(line);
   } catch (error) {

@@ -19,6 +19,17 @@ export const progressWords = {
   notKept:
     "This browser does not let the site keep your progress, so it lasts until you leave. Save it as a file to keep it.",
   notFile: (name: string, why: string) => `${name} was not opened: ${why}`,
+  tooMany: (most: number) =>
+    `together with what is here that would be more than ${most.toLocaleString("en-GB")} tasks. Nothing has changed.`,
+  unread: {
+    newer:
+      "This device has progress from a newer version of this site. It stays as it is; what you do now is kept beside it. Reload the page to get the newer version.",
+    damaged:
+      "The progress on this device was damaged. What could be read is here, and the damaged record has been put aside.",
+  },
+  saveUnread: "Save it as a file",
+  forgetUnread: "Delete it",
+  unreadFile: "bugbot-progress-as-found.json",
   tooLarge: "it is too large to be a file of progress.",
   noText: "it does not hold text.",
   unreadable: {

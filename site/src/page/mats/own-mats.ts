@@ -11,6 +11,8 @@ import { readDraft, readWorld, WorldError } from "./check-world.ts";
 import { isOwnMat } from "./own-name.ts";
 
 const RECORD = "mats";
+/** What stood there and was no record at all, before it is written over. */
+const ASIDE = "mats:aside";
 const FORMAT = 1;
 
 export interface OwnMat {
@@ -76,8 +78,16 @@ export class OwnMats {
     });
   }
 
+  /** What can't be read here, of a newer version of the site say, stays in the record as it is. */
   #write(mats: readonly OwnMat[]): boolean {
-    return this.#store.keep(RECORD, JSON.stringify({ format: FORMAT, mats }));
+    const text = this.#store.load(RECORD);
+    const entries = entriesOf(text);
+    if (text !== null && entries === null && !this.#store.keep(ASIDE, text)) return false;
+    const foreign = entries?.filter((entry) => readMat(entry).length === 0) ?? [];
+    return this.#store.keep(
+      RECORD,
+      JSON.stringify({ format: FORMAT, mats: [...mats, ...foreign] }),
+    );
   }
 }
 
@@ -92,14 +102,17 @@ export function isSound(world: World): boolean {
 }
 
 function readRecord(text: string | null): OwnMat[] {
-  let record: unknown;
+  return entriesOf(text)?.flatMap(readMat) ?? [];
+}
+
+/** What the record lists, whatever it is; null if it lists nothing. */
+function entriesOf(text: string | null): unknown[] | null {
   try {
-    record = JSON.parse(text ?? "null");
+    const { mats } = (JSON.parse(text ?? "null") ?? {}) as { mats?: unknown };
+    return Array.isArray(mats) ? mats : null;
   } catch {
-    return [];
+    return null;
   }
-  const { mats } = (record ?? {}) as { mats?: unknown };
-  return Array.isArray(mats) ? mats.flatMap(readMat) : [];
 }
 
 function readMat(value: unknown): OwnMat[] {
