@@ -276,9 +276,13 @@ class _Reader:
     def _right(self, task: TaskFolder) -> None:
         task.right = sorted((task.path / "right").glob("*.py"))
         self._used.update(task.right)
-        if 0 < len(task.right) < FEWEST_RIGHT:
-            words = f"{FEWEST_RIGHT} right ones in other styles are wanted"
-            self._fault(task.right[0], None, f"the task has {len(task.right)}; {words}")
+        if len(task.right) < FEWEST_RIGHT:
+            self._fault(
+                self._path / "lesson.json",
+                task.line,
+                f"the task {task.name} has {len(task.right)} right solutions in other styles; "
+                f"{FEWEST_RIGHT} are wanted",
+            )
         for path in task.right:
             first = _text(path).partition("\n")[0]
             if not first.removeprefix(_STYLE).strip() or not first.startswith(_STYLE):

@@ -62,7 +62,7 @@ It is a small lesson that works. Next (lessons/README.md has it at length):
   1. npm run dev, and open /lessons/${slug}/: the page follows what you write
   2. lesson.json: title, goals, programs, tasks and their hints
   3. lesson.md: the prose
-  4. the folder of each task: starter, solution, check and wrong attempts
+  4. the folder of each task: starter, solution, check, wrong attempts, right ones
   5. npm run lesson:check -- ${slug}, before you publish
 
 To be rid of it: remove the folder and its line in lessons/course.json.`);

@@ -47,43 +47,13 @@ def test_a_sound_course_is_counted_on_the_command_line(
     assert cli.main(["check", "--lessons", str(folder), "--seeds", "6"]) == 0
     out = capsys.readouterr().out
     row = next(line for line in out.splitlines() if line.startswith("one-step")).split()
-    assert row[1:7] == ["2", "5", "2", "12", "0", "8"]
+    assert row[1:7] == ["2", "5", "2", "12", "48", "8"]
     assert "1 lessons in" in out
     assert "all is well" in out
 
 
 def put(file: str, text: str) -> Callable[[Path], None]:
     return lambda lesson: write(lesson / file, text)
-
-
-def right(*texts: str) -> Callable[[Path], None]:
-    """Files of right/ for the task whole-steps, whose starter marks the learner's part here."""
-
-    def change(lesson: Path) -> None:
-        task = lesson / "whole-steps"
-        starter = (task / "starter.py").read_text()
-        marked = "    # ---- your part ----\n    return 0\n    # ---- end of your part ----\n"
-        write(task / "starter.py", starter.replace("    return 0  # replace this\n", marked))
-        (task / "right").mkdir()
-        for number, text in enumerate(texts):
-            write(task / "right" / f"{number}.py", text)
-
-    return change
-
-
-PARTS = [
-    "# style: divmod\nreturn int(divmod(length, step)[0])\n",
-    "# style: a loop\nn = 0\nwhile (n + 1) * step <= length:\n    n += 1\nreturn n\n",
-    "# style: NumPy\nimport numpy as np\nreturn np.int64(np.floor(length / step))\n",
-    "# style: recursion\nreturn 0 if length < step else 1 + steps(length - step, step)\n",
-]
-
-
-@pytest.mark.usefixtures("_here")
-def test_right_ones_in_other_styles_are_put_into_the_starter_and_pass(folder: Path) -> None:
-    right(*PARTS)(folder / "one-step")
-    (report,) = check_course(folder, seeds=2)
-    assert (report.faults, report.right) == ([], 8)
 
 
 def write(path: Path, text: str) -> None:
@@ -144,9 +114,18 @@ SOLUTION = (TINY / "one-step/step-up/solution.py").read_text()
             "marking it failed: lessons/one-step/step-up/check.py, line 18: AttributeError",
         ),
         (put("stray.txt", ""), "stray.txt: nothing uses this file"),
-        (right(*PARTS[:3]), "right/0.py: the task has 3; 4 right ones in other styles are wanted"),
-        (right(*PARTS, "return 1\n"), 'right/4.py:1: line 1 should be "# style: …", how it'),
-        (right(*PARTS, "# style: wrong\nreturn 1\n"), "right/4.py: the right solution fails: "),
+        (
+            lambda lesson: (lesson / "whole-steps/right/loop.py").unlink(),
+            "lesson.json:10: the task whole-steps has 3 right solutions in other styles; 4 are w",
+        ),
+        (
+            replace("whole-steps/right/loop.py", "# style:", "#"),
+            'right/loop.py:1: line 1 should be "# style: …", how it',
+        ),
+        (
+            replace("whole-steps/right/loop.py", "n += 1", "n += 2"),
+            "right/loop.py: the right solution fails: ",
+        ),
     ],
 )
 @pytest.mark.usefixtures("_here")
@@ -210,15 +189,12 @@ def test_a_program_is_marked_on_the_command_line(
 def test_a_part_alone_is_marked_in_the_starter(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    starter = folder / "one-step/whole-steps/starter.py"
-    marked = "    # ---- your part ----\n    return 0\n    # ---- end of your part ----\n"
-    write(starter, starter.read_text().replace("    return 0  # replace this\n", marked))
     write(tmp_path / "part.py", "return int(length // step)\n")
     asked = ["mark", "one-step", "whole-steps", str(tmp_path / "part.py")]
     assert cli.main([*asked, "--lessons", str(folder), "--part"]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == "Passed."
     assert cli.main([*asked, "--lessons", str(folder)]) == 1
-    write(starter, "# ---- your part ----\n")
+    write(folder / "one-step/whole-steps/starter.py", "# ---- your part ----\n")
     assert cli.main([*asked, "--lessons", str(folder), "--part"]) == 2
     assert "once and, below it," in capsys.readouterr().err
 

@@ -5,7 +5,9 @@ from bugbot import *
 
 def steps(length, step):
     """How many whole steps fit into the length, both in cm."""
-    return 0  # replace this
+    # ---- your part ----
+    return 0
+    # ---- end of your part ----
 
 
 # Try it: the number of steps should be just enough to come near the wall.

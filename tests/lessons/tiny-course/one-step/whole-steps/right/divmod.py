@@ -1,0 +1,2 @@
+# style: divmod
+return int(divmod(length, step)[0])

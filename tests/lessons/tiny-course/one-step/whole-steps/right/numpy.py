@@ -1,0 +1,4 @@
+# style: NumPy
+import numpy as np
+
+return np.int64(np.floor(length / step))

@@ -1,0 +1,2 @@
+# style: recursion
+return 0 if length < step else 1 + steps(length - step, step)
