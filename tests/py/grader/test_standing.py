@@ -145,9 +145,9 @@ def test_a_starter_that_earns_a_mistake_is_noted_and_is_no_fault(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     starter = folder / "one-step/step-up/starter.py"
-    write(starter, (folder / "one-step/step-up/wrong/still.py").read_text())
+    write(starter, "from bugbot import *\n\nstopp()\n")
     assert cli.main(["check", "--lessons", str(folder), "--seeds", "1"]) == 0
-    told = "starter.py: the starter is told a mistake that nobody has made: 'it never moved'"
+    told = "starter.py: the starter is told a mistake that nobody has made: 'Did you mean stop"
     assert told in capsys.readouterr().out
 
 
