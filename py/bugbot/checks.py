@@ -10,6 +10,7 @@ not numbers here, and neither are NaN and infinity.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from decimal import Decimal
 from itertools import chain
 from math import inf, isfinite
 from numbers import Real
@@ -24,6 +25,9 @@ __all__ = ["choice", "colour", "name", "number", "points", "rgb"]
 _NAME_LENGTH = 100
 """A layer's or line's name is shown in a legend; longer ones are refused [characters]."""
 
+_NUMBERS = (Real, Decimal)
+"""Fractions are real numbers by Python's own account, Decimals are not."""
+
 _HEX_DIGITS = frozenset("0123456789abcdef")
 
 
@@ -32,11 +36,11 @@ def number(
 ) -> float:
     """A number from `low` to `high`; NumPy's are welcome."""
     kind = type(value)
-    if kind is not float and kind is not int and (kind is bool or not isinstance(value, Real)):
+    if kind is not float and kind is not int and (kind is bool or not isinstance(value, _NUMBERS)):
         _refuse(WrongTypeError, call, argument, wants, value)
     try:
         figure = float(value)
-    except OverflowError:  # an int of hundreds of digits
+    except (OverflowError, ValueError):  # an int of hundreds of digits, a signalling NaN
         figure = inf
     if not (low <= figure <= high and isfinite(figure)):
         _refuse(WrongValueError, call, argument, wants, value)
@@ -113,11 +117,11 @@ def _point(call: str, item: Any, index: int) -> tuple[float, float]:
     if hasattr(item, "tolist"):
         item = item.tolist()
     pair = isinstance(item, list | tuple) and len(item) == 2
-    if not pair or any(isinstance(part, bool) or not isinstance(part, Real) for part in item):
+    if not pair or any(isinstance(part, bool) or not isinstance(part, _NUMBERS) for part in item):
         raise WrongTypeError(_bad_point(call, item, index))
     try:
         x, y = float(item[0]), float(item[1])
-    except OverflowError:
+    except (OverflowError, ValueError):
         x = y = inf
     if not (isfinite(x) and isfinite(y)):
         raise WrongValueError(_bad_point(call, item, index))

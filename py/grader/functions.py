@@ -9,6 +9,7 @@ import sys
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from bugbot.run.slips.newer import PAGE
 from grader.asking import NOT_SAID, Answered, Call, Look, Step
 from grader.compare import difference
 from grader.declare import Function
@@ -26,17 +27,9 @@ def fault_text(fault: dict[str, Any]) -> str:
     line = fault.get("line")
     where = "" if not isinstance(line, int) else f" on line {line}"
     version = ""
-    if fault.get("type") == "SyntaxError" and sys.version_info < _PAGE:
-        version = f" (Python {_dotted(sys.version_info)} marks this; the page has {_dotted(_PAGE)})"
+    if fault.get("type") == "SyntaxError" and sys.version_info < PAGE:
+        version = f" (Python {sys.version_info[0]}.{sys.version_info[1]} marks this)"
     return f"{fault.get('type')}{where}: {fault.get('message')}"[:600] + version
-
-
-_PAGE = (3, 14)
-"""The version of Python in the page, which may read what an older one can't."""
-
-
-def _dotted(version: Sequence[Any]) -> str:
-    return f"{version[0]}.{version[1]}"
 
 
 def judge_steps(

@@ -296,3 +296,14 @@ def test_a_call_outside_a_run_says_how_to_start_one(call: Callable[..., Any]) ->
         NoRobotError, match=rf"^{call.__name__}.* has no robot to talk to: press Run"
     ):
         call(1) if call is wait else call()
+
+
+def test_fractions_and_decimals_are_numbers(run_calls: Callable[..., Any]) -> None:
+    head = "from fractions import Fraction\nfrom decimal import Decimal\n"
+    ran = run_calls(
+        f"{head}draw('a', [(Fraction(5, 2), Decimal('7.5'))])\nplot('b', Decimal('0.5'))\n"
+        "wait(Decimal('0.1'))\n"
+    )
+    assert ran.status == "finished"
+    refused = run_calls(f"{head}plot('b', Decimal('sNaN'))\n")
+    assert "plot(name, value) wants" in refused.fault["message"]

@@ -147,7 +147,16 @@ NAMES = [
     ),
     ("Print(3)\n", 1, "Did you mean print? Capital and small letters count."),
     ("known = 3\nprint(knwon)\n", 2, "It is spelt known on line 1 and knwon on line 2: make"),
-    ("known = 3\nprint(known)\nprint(knwon)\n", 3, "Did you mean known?"),
+    (
+        "known = 3\nprint(known)\nprint(knwon)\n",
+        3,
+        "It is spelt known on lines 1 and 2 and knwon on line 3: make them the same.",
+    ),
+    (
+        "def cell_of(x):\n    colum = x\n    colum += 1\n    return column\ncell_of(3)\n",
+        4,
+        "It is spelt colum on lines 2 and 3 and column on line 4: make them the same.",
+    ),
     (
         "def cell_of(x):\n    colum = x // 5\n    return column\ncell_of(3)\n",
         3,
@@ -176,7 +185,24 @@ NAMES = [
     (
         "def f():\n    if False:\n        n = 1\n    return n\nf()\n",
         4,
-        "nothing has given n a value",
+        "n gets its value on line 3, inside the if of line 2, and the function has not come by "
+        "there: give it one before that if as well.",
+    ),
+    (
+        "def f(rows):\n    for r in rows:\n        n = r\n    return n\nf([])\n",
+        4,
+        "n gets its value on line 3, inside the for of line 2",
+    ),
+    (
+        "def f():\n    if n > 2:\n        n = 2\nf()\n",
+        2,
+        "Nothing has given n a value before line 3 yet: give it one above this line.",
+    ),
+    ("def f():\n    n += 1\nf()\n", 2, "Nothing has given n a value yet"),
+    (
+        "def f(x):\n    if x:\n        for i in []:\n            n = i\n        print(n)\nf(1)\n",
+        5,
+        "inside the for of line 3",
     ),
     ("x = [1]\nx.push(2)\n", 2, "For a list this is append."),
     ("x = [1]\nx.apend(2)\n", 2, "Did you mean append?"),
@@ -220,7 +246,7 @@ NAMES = [
     ("raise ModuleNotFoundError('no numpy', name='numpy')\n", 1, "python -m pip install numpy"),
     ("raise NameError\n", 1, None),
     ("raise AttributeError\n", 1, None),
-    ("raise UnboundLocalError('strange')\n", 1, "nothing has given it a value"),
+    ("raise UnboundLocalError('strange')\n", 1, "Nothing has given it a value"),
 ]
 
 CALLS_ = [
@@ -242,8 +268,10 @@ CALLS_ = [
         "x = 3\nx()\n",
         "x is a value of type int, and that can't be called. To multiply write *: x * (…)",
     ),
-    ("x = 3 * 2.5\ny = (x)(x + 1)\n", "there must be a sign, such as *"),
-    ("x = 3\ny = 2(x)\n", "there must be a sign, such as *"),
+    ("x = 3 * 2.5\ny = (x)(x + 1)\n", "A bracket right after another bracket makes a call of it"),
+    ("x = 3\ny = 2(x)\n", "A bracket right after a number makes a call of it. To multiply write *"),
+    ("x = [3]\ny = x[0](2)\n", "A bracket right after another bracket makes a call of it"),
+    ("@(lambda f: 3)\ndef f():\n    pass\nclass A:\n    b = 3\nA.b(2)\n", None),
     ("y = [(1, 2) (3, 4)]\n", "a comma missing"),
     ("for d in scan():\n    a, b, c = d\n", "The 3 names on the left get 2 values."),
     ("a, b = [1]\n", "The 2 names on the left get 1 value."),
@@ -342,7 +370,10 @@ VALUES = [
     ("draw('goal', (100, 150))\n", "A single point needs square brackets"),
     ("draw('goal', [[100, 150, 3]])\n", "Every point is a pair in brackets"),
     ("table = {'free': 1}\nx = table['fre']\n", "It is spelt 'free' on line 2 and 'fre' on line 3"),
-    ("x = {'free': 1}\nx['free'] += 1\nprint(x['fre'])\n", "Did you mean 'free'?"),
+    (
+        "x = {'free': 1}\nx['free'] += 1\nprint(x['fre'])\n",
+        "'fre' on line 3: make them the same",
+    ),
     ("table = {(0, 1): 1}\nx = table[0, 2]\n", "table.get(key, 0)"),
     ("x = int('3 cm')\n", "something else than a number"),
     ("x = int('5.5')\n", "int() reads whole numbers only"),

@@ -8,6 +8,7 @@ names and the text of a line: it never runs any of the learner's code.
 
     case.py       the error, its line and the names in sight there
     copied.py     what comes along with copied text: invisible signs, prompts, commands
+    newer.py      what a newer Python reads and this one does not
     syntax.py     what can't be read as Python
     names.py      names that are not there
     attributes.py attributes and keys that are not there
@@ -29,6 +30,7 @@ from bugbot.run.slips import (
     copied,
     modules,
     names,
+    newer,
     syntax,
     values,
 )
@@ -38,6 +40,7 @@ __all__ = ["likely_cause"]
 
 _ORDER = (
     *copied.SLIPS,
+    *newer.SLIPS,
     *syntax.SLIPS,
     *names.SLIPS,
     *attributes.SLIPS,

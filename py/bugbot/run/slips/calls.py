@@ -61,7 +61,11 @@ def _covered_up(case: Case) -> str | None:
         missing = f" To multiply write *: {name} * (…)" if kind in ("int", "float") else ""
         return f"{name} is a value of type {kind}, and that can't be called.{missing}"
     if kind in ("int", "float"):
-        return "Between a number and a bracket there must be a sign, such as *: 2 * (x + 1)"
+        after = re.search(r"(\d|[)\]])\s*\(", case.code)
+        if after is None:
+            return None
+        what = "a number" if after[1].isdigit() else "another bracket"
+        return f"A bracket right after {what} makes a call of it. To multiply write *: 2 * (x + 1)"
     if kind in ("tuple", "list", "str"):
         return "Is there a comma missing between two things in a list?"
     return None

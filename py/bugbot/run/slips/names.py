@@ -5,10 +5,12 @@ May import: the standard library, `bugbot.errors`, the rest of `bugbot.run.slips
 
 from __future__ import annotations
 
+import ast
 import builtins
 import keyword
 import math
 import re
+from dataclasses import replace
 
 from bugbot.errors import nearest
 from bugbot.run.slips.case import CALLS, Case, Slip
@@ -149,7 +151,45 @@ def _unbound(case: Case) -> str | None:
             f"The function gives {name} a value somewhere, so {name} is its own there. To change "
             f"the one outside, begin the function with: global {name}"
         )
-    return f"On the way to this line nothing has given {name} a value: give it one before the if."
+    given = [line for line in _given(case, name) if line != case.line]
+    earlier = [line for line in given if case.line is not None and line < case.line]
+    if not earlier:
+        where = f" before line {given[0]}" if given else ""
+        return f"Nothing has given {name} a value{where} yet: give it one above this line."
+    block = _block_of(case, earlier[-1])
+    if block is None:
+        return f"Line {earlier[-1]} gives {name} a value, and the function has not come by there."
+    kind, line = block
+    return (
+        f"{name} gets its value on line {earlier[-1]}, inside the {kind} of line {line}, and the "
+        f"function has not come by there: give it one before that {kind} as well."
+    )
+
+
+def _given(case: Case, name: str) -> list[int]:
+    """The lines of the function of this line that give the name a value."""
+    functions = case.parts(ast.FunctionDef, ast.AsyncFunctionDef)
+    if not functions:
+        return []
+    nodes = [node for node in ast.walk(functions[-1]) if isinstance(node, ast.Name)]
+    return sorted({n.lineno for n in nodes if n.id == name and isinstance(n.ctx, ast.Store)})
+
+
+_BLOCKS: dict[type[ast.AST], str] = {
+    ast.If: "if",
+    ast.For: "for",
+    ast.While: "while",
+    ast.Try: "try",
+    ast.Match: "match",
+}
+
+
+def _block_of(case: Case, line: int) -> tuple[str, int] | None:
+    """The outermost block round a line that is not round the learner's line as well."""
+    here = {each.lineno for each in case.parts(*_BLOCKS)}
+    blocks = replace(case, line=line).parts(*_BLOCKS)
+    own = {each.lineno: _BLOCKS[type(each)] for each in blocks if each.lineno not in here}
+    return (own[min(own)], min(own)) if own else None
 
 
 SLIPS: tuple[Slip, ...] = (

@@ -27,7 +27,7 @@ def two_spellings(case: Case, near: str, name: str, quoted: bool = False) -> str
     """
     of_near, of_name = case.lines_with(near, quoted), case.lines_with(name, quoted)
     shown = (repr(near), repr(name)) if quoted else (near, name)
-    if not of_near or not of_name or len(of_near) > max(1, len(of_name)):
+    if not of_near or not of_name:
         return f"Did you mean {shown[0]}?"
     return (
         f"It is spelt {shown[0]} on {_lines(of_near)} and {shown[1]} on {_lines(of_name)}: make "
