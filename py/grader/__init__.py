@@ -12,7 +12,8 @@ them:
     in_any_order   … lists whose order does not matter
     scoring        what a run of task.trials is worth
     mistake        a likely mistake, with what must stand in the program for it to be told:
-                   calls, reads, stores, operator, number, code, lacks, either
+                   calls, reads, stores, operator, number, code, loops,
+                   lacks, either
 
 How marking works. A learner's program is never run in the interpreter that judges it:
 
@@ -51,7 +52,17 @@ How marking works. A learner's program is never run in the interpreter that judg
 """
 
 from grader.compare import exactly, in_any_order, near
-from grader.conditions import calls, code, either, lacks, number, operator, reads, stores
+from grader.conditions import (
+    calls,
+    code,
+    either,
+    lacks,
+    loops,
+    number,
+    operator,
+    reads,
+    stores,
+)
 from grader.declare import check, function, mistake, scoring
 
 __all__ = [
@@ -63,6 +74,7 @@ __all__ = [
     "function",
     "in_any_order",
     "lacks",
+    "loops",
     "mistake",
     "near",
     "number",

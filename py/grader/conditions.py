@@ -10,6 +10,7 @@ A condition is made by one of the words below and handed to `mistake(…, where=
     operator("<", "//")      one of these is used: + - * / // % ** ^ & | < <= > >= == != and or not in
     number(8)                one of these numbers is typed in
     code("p / 1 - p")        such a piece of code stands there, `_` standing for any value
+    loops()                  there is a for, a while or a comprehension
     lacks(condition)         it is not so
     either(one, another)     one of them is so
 """  # noqa: E501 - a table
@@ -29,6 +30,7 @@ __all__ = [
     "code",
     "either",
     "lacks",
+    "loops",
     "number",
     "operator",
     "reads",
@@ -61,6 +63,12 @@ def operator(*signs: str) -> Condition:
 def number(*values: float) -> Condition:
     """One of these numbers is typed in."""
     return lambda text: not text.numbers.isdisjoint(values)
+
+
+def loops() -> Condition:
+    """There is a loop: a for, a while or a comprehension."""
+    kinds = (ast.For, ast.While, ast.comprehension)
+    return lambda text: any(isinstance(each, kinds) for each in text.nodes)
 
 
 def lacks(condition: Condition) -> Condition:
