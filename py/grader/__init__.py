@@ -27,7 +27,7 @@ How marking works. A learner's program is never run in the interpreter that judg
     slips.py      which mistake explains wrong ones
     text.py       what the learner has written, which a cause must not contradict
     conditions.py what must stand there for a cause to be told
-    loops.py      whether a loop stands there
+    looping.py    whether a loop stands there
     places.py     where on the mat an answer is wrong
     compare.py    exactly, near, in_any_order
     runs.py       a run: its path, its chart, its prints

@@ -41,6 +41,7 @@ class Mistake:
     slip: Callable[..., Any]
     hint: int | None = None
     where: tuple[Condition, ...] = ()
+    broken_off: bool = False
 
     def can_be(self, text: Text) -> bool:
         """Whether the program, as it is written, allows this cause."""
@@ -61,6 +62,7 @@ def mistake(
     hint: int | None = None,
     *,
     where: Condition | Sequence[Condition] = (),
+    broken_off: bool = False,
 ) -> Mistake:
     """Declare a likely mistake.
 
@@ -69,9 +71,10 @@ def mistake(
     hint   number of the task's hint that helps (0 is the first)
     where  what must stand in the learner's function, and in what it calls, for the cause to be
            told, one or several of `grader.conditions`: calls("int"), operator("<"), reads("CELL")
+    broken_off  of runs: it explains only those that ended with an error; others never do
     """
     conditions = (where,) if callable(where) else tuple(where)
-    return Mistake(text, slip, hint, conditions)
+    return Mistake(text, slip, hint, conditions, broken_off)
 
 
 @dataclass(frozen=True, slots=True)

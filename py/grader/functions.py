@@ -124,7 +124,7 @@ def _refuse_what_is_no_answer(call: Call, answer: dict[str, Any]) -> None:
         raise CheckFailed(
             f"an answer to {call}",
             f"it went on computing{where}, and was ended",
-            likely="there is a loop that never ends: does what it tests change inside it?",
+            likely="perhaps a loop never ends: does what it tests change inside it?",
         )
 
 

@@ -37,32 +37,35 @@ def other_kind(right: Any, value: Any, rights: Sequence[Any] = ()) -> str | None
     return _differs("it", right, value)
 
 
-def _inside(right: Any, value: Any) -> str | None:
+def _inside(right: Any, value: Any, place: str = "") -> str | None:
     """The first part that is of another kind than its partner."""
+    what = f"{place.removeprefix(' of ')} (counted from 0)" if place else "it"
     if isinstance(right, int | float) and isinstance(value, float):
         if isnan(value) and not isnan(right):
-            return "it is nan, which comes from sums without an answer, like inf - inf"
+            return f"{what} is nan, which comes from sums without an answer, like inf - inf"
         if not isfinite(value) and isfinite(right):
-            return "it is infinite: look where something is divided by 0, or never gets a value"
+            return (
+                f"{what} is infinite: look where something is divided by 0, or never gets a value"
+            )
         return None
     if not (isinstance(right, list | tuple) and isinstance(value, list | tuple)):
         return None
     if len(right) != len(value):
-        right = [right[0]] * len(value) if right and _alike(right) else right
+        if not right or len({_sort(each) for each in (*right, *value)}) == 1:
+            return None
+        right = [right[0]] * len(value) if len({_sort(each) for each in right}) == 1 else right
     for index, (part, other) in enumerate(zip(right, value, strict=False)):
-        name = f"item {index} (counted from 0)"
-        if _sort(part) != _sort(other):
-            if part is None or other is None:
-                return None  # that may be a part of the task
-            return _differs(name, part, other)
-        deeper = _inside(part, other)
-        if deeper is not None:
-            return deeper.replace("it is", f"{name} is", 1) if deeper[:5] == "it is" else deeper
+        here = f"item {index}{place}"
+        if part is None or other is None:
+            continue  # that may be a part of the task
+        found = (
+            _inside(part, other, f" of {here}")
+            if _sort(part) == _sort(other)
+            else _differs(f"{here} (counted from 0)", part, other)
+        )
+        if found is not None:
+            return found
     return None
-
-
-def _alike(parts: Sequence[Any]) -> bool:
-    return len({_sort(each) for each in parts}) == 1
 
 
 def _differs(what: str, right: Any, value: Any) -> str | None:

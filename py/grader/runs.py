@@ -160,18 +160,27 @@ class Run:
     def explained(self, failure: CheckFailed) -> CheckFailed:
         """The failure with the mistake that the run looks like, unless it has a cause already.
 
-        A run that broke off is explained by what broke it off, and by nothing else.
+        A run that broke off is explained by what broke it off, or by a mistake about such runs.
         """
-        looks = failure.likely is None and self.ending.kind == "finished"
-        mistake = self._mistake() if looks else None
+        broken_off = self.ending.kind != "finished"
+        looks = failure.likely is None or broken_off
+        mistake = self._mistake(broken_off=broken_off) if looks else None
         if mistake is None:
             return failure
         hint = failure.hint if mistake.hint is None else mistake.hint
         return failure.but(likely=mistake.text, hint=hint)
 
-    def _mistake(self) -> Mistake | None:
+    @property
+    def error(self) -> str:
+        """The error that ended it, with its type, line and message; nothing if it was none."""
+        trouble = self.ending.trouble
+        return trouble.got if trouble is not None and self.ending.kind == "fault" else ""
+
+    def _mistake(self, *, broken_off: bool) -> Mistake | None:
         plain = self.with_mistakes(())
         for mistake in self._mistakes:
+            if mistake.broken_off != broken_off:
+                continue
             try:
                 if mistake.slip(plain):
                     return mistake

@@ -15,7 +15,7 @@ from grader.declare import Check, Function, Mistake, Scoring, mistakes_of
 from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramFailed
 from grader.functions import fault_text, judge_steps
 from grader.jobs import Desk, Group
-from grader.loops import loop_in
+from grader.looping import loop_in
 from grader.runs import Run
 from grader.trials import Trial
 from performer.values import shown

@@ -7,7 +7,7 @@ An answer is one of
 
     {"value": …}           what it returned, or what it left in the argument it changes
     {"fault": {…}}         type, message, line and hint of the error it raised
-    {"late": line}         it was still computing after `CALL_S` real seconds
+    {"late": line}         it was still computing after `CALL_S` seconds of the processor
     {"missing", "near"}    there is no such name; the nearest there is
     {"no function": …}     the name stands for something else
     {"parameters": "(x)"}  it can't be called with so many arguments
@@ -23,7 +23,7 @@ from __future__ import annotations
 import inspect
 import sys
 from collections.abc import Callable
-from time import perf_counter as real_time  # a run puts simulated time in the module's place
+from time import process_time as cpu_time  # a run puts simulated time in the module's place
 from types import FrameType, ModuleType
 from typing import Any
 
@@ -151,12 +151,12 @@ class Caller:
     # -- patience ------------------------------------------------------------
 
     def patient(self, work: Callable[[], Any], seconds: float) -> Any:
-        """Do some work, and end it if the program computes for more real seconds than that.
+        """Do some work, and end it if the program computes for more seconds than that.
 
         In a browser nothing interrupts a program from outside; so it is looked at on each of its
         own lines. What computes inside one single line is ended by whoever runs the performer.
         """
-        self._until = real_time() + seconds
+        self._until = cpu_time() + seconds
         before = self._before = sys.gettrace()
         sys.settrace(self._on_line)
         try:
@@ -169,7 +169,7 @@ class Caller:
             return None
         if event == "return":
             self._left_on = frame.f_lineno  # the last to return is the function that was called
-        if real_time() > self._until:
+        if cpu_time() > self._until:
             self.late_on = frame.f_lineno
             raise _TooLate
         return self._on_line

@@ -23,10 +23,10 @@ CALLS_LIMITS = {**RUN_LIMITS, "silent_s": 20.0, "real_s": 40.0}
 """`silent_s` is more than PROGRAM_S: the functions are called after that."""
 
 PROGRAM_S = 10.0
-"""Real seconds that a program may take to its end before its functions are called."""
+"""Seconds of the processor that a program may take to its end before its functions are called."""
 
 AGAIN_S = 1.0
 """The same, once it has taken that: what it defines is there long before."""
 
 CALL_S = 2.0
-"""Real seconds that one call of a learner's function may take."""
+"""Seconds of the processor that one call of a learner's function may take."""

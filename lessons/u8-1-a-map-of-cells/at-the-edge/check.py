@@ -2,7 +2,7 @@
 
 from math import floor
 
-from grader import check, function
+from grader import check, function, mistake, number, operator, reads
 
 
 def index_on_mat(x, y, holds=None, side=10, across=20, else_=None):
@@ -43,6 +43,16 @@ index_of = function(
             0,
         ),
         (
+            "the row comes from y: here both come from x",
+            lambda x, y: index_on_mat(x, x),
+            0,
+        ),
+        (
+            "the column comes from x: here both come from y",
+            lambda x, y: index_on_mat(y, y),
+            0,
+        ),
+        (
             "nothing keeps points beyond the mat out: each must give None",
             where_cell(lambda column, row: True),
             1,
@@ -64,8 +74,14 @@ index_of = function(
             where_cell(lambda column, row: 0 <= column <= 20 and 0 <= row <= 20),
             1,
         ),
-        (
+        mistake(
             "x = 200 and y = 200 are beyond the mat: the comparison there must be <, not <=",
+            where_point(lambda x, y: 0 <= x <= 200 and 0 <= y <= 200),
+            1,
+            where=operator("<="),
+        ),
+        (
+            "x = 200 and y = 200 are beyond the mat: from 200 on there is no cell",
             where_point(lambda x, y: 0 <= x <= 200 and 0 <= y <= 200),
             1,
         ),
@@ -74,8 +90,14 @@ index_of = function(
             where_cell(lambda column, row: 0 < column < 20 and 0 < row < 20),
             1,
         ),
-        (
+        mistake(
             "x = 0 and y = 0 are on the mat: the comparison there must be <=, not <",
+            where_point(lambda x, y: 0 < x < 200 and 0 < y < 200),
+            1,
+            where=operator("<"),
+        ),
+        (
+            "x = 0 and y = 0 are on the mat: they belong to column 0 and row 0",
             where_point(lambda x, y: 0 < x < 200 and 0 < y < 200),
             1,
         ),
@@ -133,10 +155,11 @@ index_of = function(
             lambda x, y: index_on_mat(x, y) or None,
             1,
         ),
-        (
+        mistake(
             "a row holds ACROSS cells: multiply the row by ACROSS, not by CELL",
             changed(lambda column, row: row * 10 + column),
             0,
+            where=reads("CELL"),
         ),
         (
             "one too many: the first cell of the list has index 0",
@@ -174,11 +197,36 @@ CELLS_OF_25 = function(
     "index_of(x, y)",
     lambda x, y: index_on_mat(x, y, side=25, across=8),
     mistakes=[
-        (TYPED_IN, with_20_for(20, 20, 20), 1),
-        (TYPED_IN, with_20_for(8, 8, 20), 1),
-        (TYPED_IN, with_20_for(20, 20, 8), 1),
-        (TYPED_IN, with_20_for(20, 8, 8), 1),
-        (TYPED_IN, with_20_for(8, 20, 8), 1),
+        mistake(
+            TYPED_IN,
+            with_20_for(20, 20, 20),
+            1,
+            where=number(20),
+        ),
+        mistake(
+            TYPED_IN,
+            with_20_for(8, 8, 20),
+            1,
+            where=number(20),
+        ),
+        mistake(
+            TYPED_IN,
+            with_20_for(20, 20, 8),
+            1,
+            where=number(20),
+        ),
+        mistake(
+            TYPED_IN,
+            with_20_for(20, 8, 8),
+            1,
+            where=number(20),
+        ),
+        mistake(
+            TYPED_IN,
+            with_20_for(8, 20, 8),
+            1,
+            where=number(20),
+        ),
     ],
 )
 

@@ -2,7 +2,7 @@
 
 from math import ceil, floor
 
-from grader import check, function
+from grader import calls, check, either, function, mistake, number, operator
 
 
 def each(change):
@@ -39,19 +39,35 @@ cell_of = function(
             each(lambda value: round(value / 10)),
             1,
         ),
-        (CUT, each(lambda value: int(value / 10)), 1),
-        (CUT, lambda x, y: (down(x), int(y / 10)), 1),
-        (CUT, lambda x, y: (int(x / 10), down(y)), 1),
+        mistake(
+            CUT,
+            each(lambda value: int(value / 10)),
+            1,
+            where=calls("int"),
+        ),
+        mistake(
+            CUT,
+            lambda x, y: (down(x), int(y / 10)),
+            1,
+            where=calls("int"),
+        ),
+        mistake(
+            CUT,
+            lambda x, y: (int(x / 10), down(y)),
+            1,
+            where=calls("int"),
+        ),
         (
             "not rounded down: 3.2 cells along means that the point is in column 3",
             each(lambda value: value / 10),
             1,
         ),
-        (
+        mistake(
             "the numbers are right, but // makes a float of a float, 15.0 for example: "
             "math.floor() makes a whole number, 15",
             each(lambda value: value // 10),
             1,
+            where=operator("//"),
         ),
         (
             "rounded down before dividing: divide by CELL first, then round down",
@@ -86,22 +102,25 @@ cell_of = function(
             each(lambda value: ceil(value / 10) - 1),
             1,
         ),
-        (
+        mistake(
             "round() takes the even number where a value lies exactly between two, so points on "
             "the line between two cells go wrong: use math.floor()",
             each(lambda value: round(value / 10 - 0.5)),
             1,
+            where=calls("round", "rint"),
         ),
-        (
+        mistake(
             "multiplied by CELL: ask how many times 10 cm goes into x",
             each(lambda value: floor(value * 10)),
             0,
+            where=operator("*"),
         ),
-        (
+        mistake(
             "the remainder was taken: % says how far into its cell the point is, not which cell "
             "it is",
             each(lambda value: value % 10),
             0,
+            where=either(operator("%"), calls("fmod", "divmod", "mod", "remainder")),
         ),
         (PUSHED, each(lambda value: max(0, down(value))), 1),
         (PUSHED, each(lambda value: min(19, max(0, down(value)))), 1),
@@ -110,10 +129,11 @@ cell_of = function(
             each(lambda value: down(abs(value))),
             1,
         ),
-        (
+        mistake(
             "100 was taken away: here x and y count from the corner of the mat already",
             each(lambda value: down(value - 100)),
             0,
+            where=number(100),
         ),
     ],
 )
@@ -125,10 +145,11 @@ def with_cells_of(side):
         each(lambda value: floor(value / side)),
         cell_cm=side,
         mistakes=[
-            (
+            mistake(
                 "10 is typed in as the side of a cell: use CELL, so that it can change",
                 each(down),
                 2,
+                where=number(10),
             )
         ],
     )

@@ -1,7 +1,7 @@
 """centre_of(column, row): the middle of a cell in cm, with cells of several sizes."""
 
 from bugbot.frames import cell_centre
-from grader import check, function, near
+from grader import calls, check, either, function, mistake, near, number, operator
 
 
 def each(change):
@@ -76,10 +76,11 @@ centre_of = with_cells_of(
             each(lambda number: (number - 0.5) * 10),
             1,
         ),
-        (
+        mistake(
             "divided by CELL: a cell is 10 cm wide, so its number has to be multiplied",
             each(lambda number: (number + 0.5) / 10),
             0,
+            where=operator("/", "//"),
         ),
         (
             "y was counted from the top: rows count from the bottom of the mat, and so does y",
@@ -95,18 +96,53 @@ HALF_TYPED_IN = "5 is typed in as half a cell: use CELL / 2, so that it can chan
 CELLS_OF_7 = with_cells_of(
     7,
     [
-        (TYPED_IN, lambda column, row: cell_centre(column, row, 10), 2),
-        (HALF_TYPED_IN, each(lambda number: number * 7 + 5), 2),
-        (HALF_DROPPED, each(lambda number: number * 7 + 3), 1),
-        (HALF_DROPPED, each(lambda number: number * 7 + 4), 1),
-        (HALF_DROPPED, each(lambda number: round((number + 0.5) * 7)), 1),
+        mistake(
+            TYPED_IN,
+            lambda column, row: cell_centre(column, row, 10),
+            2,
+            where=number(10),
+        ),
+        mistake(
+            HALF_TYPED_IN,
+            each(lambda number: number * 7 + 5),
+            2,
+            where=number(5),
+        ),
+        mistake(
+            HALF_DROPPED,
+            each(lambda number: number * 7 + 3),
+            1,
+            where=either(operator("//"), calls("int", "round", "floor")),
+        ),
+        mistake(
+            HALF_DROPPED,
+            each(lambda number: number * 7 + 4),
+            1,
+            where=either(operator("//"), calls("int", "round", "floor")),
+        ),
+        mistake(
+            HALF_DROPPED,
+            each(lambda number: round((number + 0.5) * 7)),
+            1,
+            where=either(operator("//"), calls("int", "round", "floor")),
+        ),
     ],
 )
 CELLS_OF_2_5 = with_cells_of(
     2.5,
     [
-        (TYPED_IN, lambda column, row: cell_centre(column, row, 10), 2),
-        (HALF_TYPED_IN, each(lambda number: number * 2.5 + 5), 2),
+        mistake(
+            TYPED_IN,
+            lambda column, row: cell_centre(column, row, 10),
+            2,
+            where=number(10),
+        ),
+        mistake(
+            HALF_TYPED_IN,
+            each(lambda number: number * 2.5 + 5),
+            2,
+            where=number(5),
+        ),
     ],
 )
 

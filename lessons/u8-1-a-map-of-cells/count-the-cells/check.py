@@ -3,7 +3,7 @@
 from math import ceil, floor
 
 from bugbot.frames import cells_across
-from grader import check, function, near
+from grader import calls, check, function, lacks, mistake, near, operator, reads
 
 count_cells = function(
     "count_cells(side)",
@@ -45,10 +45,11 @@ count_cells = function(
             lambda side: ceil(200 / side) * floor(200 / side),
             1,
         ),
-        (
+        mistake(
             "never rounded: round up how many cells fit along one edge before you multiply",
             lambda side: (200 / side) ** 2,
             1,
+            where=lacks(calls("ceil", "round", "floor", "int")),
         ),
         (
             "doubled: there are as many rows as columns, so multiply the number along one edge by "
@@ -56,15 +57,17 @@ count_cells = function(
             lambda side: 2 * ceil(200 / side),
             0,
         ),
-        (
+        mistake(
             "in Python ^ is not a power: write across ** 2 or across * across",
             lambda side: ceil(200 / side) ^ 2,
             2,
+            where=operator("^"),
         ),
-        (
+        mistake(
             "SIDE was used in place of side: the function must answer for the side it is given",
             lambda side: 49,
             1,
+            where=reads("SIDE"),
         ),
         (
             "the division is upside down: ask how many times the side goes into 200 cm",

@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import cos, floor, radians, sin
 
-from grader import check
+from grader import calls, check, lacks, mistake, operator, reads
 
 CELL = 5
 
@@ -57,6 +57,12 @@ def moved(run, dx, dy):
 
 
 MISTAKES = [
+    mistake(
+        "odometry() is what the robot believes, and it drifts: position() says where it is",
+        lambda run: True,
+        0,
+        where=(calls("odometry"), lacks(calls("position"))),
+    ),
     (
         "nothing is drawn: show has to collect the middles of all cells that are True in visited, "
         "and mark has to set them",
@@ -74,16 +80,18 @@ MISTAKES = [
         lambda run: len(drawn(run)) == 1600,
         0,
     ),
-    (
+    mistake(
         "START was not added: position() counts from where the robot started, not from the corner "
         "of the mat",
         lambda run: looks_like(run, without_start(run.path)),
         1,
+        where=lacks(reads("START")),
     ),
-    (
+    mistake(
         "position() was subtracted: add it to START",
         lambda run: looks_like(run, moved(run, -1, -1)),
         1,
+        where=(calls("position"), operator("-")),
     ),
     (
         "drawn at the lower left corner of each cell: squares are placed by their middle",

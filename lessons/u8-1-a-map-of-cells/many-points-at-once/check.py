@@ -2,7 +2,7 @@
 
 from math import floor
 
-from grader import check, function
+from grader import calls, check, function, mistake, number
 
 
 def cells(points, to_whole=floor, keep=None, side=10, across=20):
@@ -34,11 +34,12 @@ cells_of = function(
             kept(everything),
             1,
         ),
-        (
+        mistake(
             "astype(int) cuts towards 0, so a little left of the mat becomes column 0; use "
             "np.floor() first",
             lambda points: cells(points, to_whole=int),
             0,
+            where=calls("astype"),
         ),
         (
             "rounded to the nearest whole number: a point in the upper half of a cell then gets "
@@ -51,9 +52,15 @@ cells_of = function(
             lambda points: [(float(c), float(r)) for c, r in cells(points)],
             0,
         ),
-        (
+        mistake(
             "a point was kept if its column or its row is good: both must be, so np.all, not "
             "np.any",
+            kept(lambda c, r: 0 <= c < 20 or 0 <= r < 20),
+            2,
+            where=calls("any"),
+        ),
+        (
+            "a point was kept if its column or its row is good: both must be",
             kept(lambda c, r: 0 <= c < 20 or 0 <= r < 20),
             2,
         ),
@@ -133,9 +140,24 @@ CELLS_OF_25 = function(
     "cells_of(points)",
     lambda points: cells(points, side=25, across=8),
     mistakes=[
-        (TYPED_IN, cells, 1),
-        (TYPED_IN, lambda points: cells(points, side=10, across=8), 1),
-        (TYPED_IN, lambda points: cells(points, side=25, across=20), 1),
+        mistake(
+            TYPED_IN,
+            cells,
+            1,
+            where=number(10, 20),
+        ),
+        mistake(
+            TYPED_IN,
+            lambda points: cells(points, side=10, across=8),
+            1,
+            where=number(10, 20),
+        ),
+        mistake(
+            TYPED_IN,
+            lambda points: cells(points, side=25, across=20),
+            1,
+            where=number(10, 20),
+        ),
     ],
 )
 

@@ -5,7 +5,7 @@ The robot faces 20 degrees meanwhile, so that a heading which is added to the an
 
 from math import ceil, degrees, floor
 
-from grader import check, function
+from grader import calls, check, function, mistake, number, operator
 from mapping.beam import end_of_beam
 
 CELL, ACROSS = 5, 40
@@ -73,10 +73,11 @@ cells_passed = function(
             with_other(step=CELL),
             0,
         ),
-        (
+        mistake(
             "a step is CELL / 2, which is 2.5 cm: CELL // 2 is only 2",
             with_other(step=CELL // 2),
             0,
+            where=operator("//"),
         ),
         (
             "walked too far, right up to the hit: stop one cell short of it, at reading - CELL",
@@ -93,25 +94,28 @@ cells_passed = function(
             along(lambda angle: 0),
             1,
         ),
-        (
+        mistake(
             "sine and cosine are the wrong way round: x goes by sine, y by cosine",
             along(lambda angle: 90 - angle),
             1,
+            where=(calls("sin"), calls("cos")),
         ),
         (
             "the beam goes backwards: add to x and to y, don't subtract",
             along(lambda angle: angle + 180),
             1,
         ),
-        (
+        mistake(
             "heading() was added: the angle is the direction on the mat already",
             along(lambda angle: angle + 20),
             1,
+            where=calls("heading"),
         ),
-        (
+        mistake(
             "degrees were taken for radians: np.radians() makes radians of them",
             along(degrees),
             1,
+            where=calls("sin", "cos", "exp", "rect"),
         ),
         (
             "cells beyond the mat were kept: choose the rows whose column and row are both from 0 "
@@ -129,8 +133,14 @@ cells_passed = function(
             with_other(keep=lambda c, r: 0 < c < ACROSS and 0 < r < ACROSS),
             2,
         ),
-        (
+        mistake(
             "a cell was kept if its column or its row is good: both must be, so np.all, not np.any",
+            with_other(keep=lambda c, r: 0 <= c < ACROSS or 0 <= r < ACROSS),
+            2,
+            where=calls("any"),
+        ),
+        (
+            "a cell was kept if its column or its row is good: both must be",
             with_other(keep=lambda c, r: 0 <= c < ACROSS or 0 <= r < ACROSS),
             2,
         ),
@@ -147,11 +157,12 @@ cells_passed = function(
             ],
             2,
         ),
-        (
+        mistake(
             "astype(int) cuts towards 0, so a little left of the mat becomes column 0; use "
             "np.floor() first",
             with_other(to_whole=int),
             2,
+            where=calls("astype"),
         ),
         (
             "rounded to the nearest whole number: a point in the upper half of a cell then gets "
@@ -179,15 +190,17 @@ CELLS_OF_10 = function(
     compare=same_cells,
     cell_cm=10,
     mistakes=[
-        (
+        mistake(
             "2.5 is typed in as the step: use CELL / 2, so that CELL can change",
             with_other(step=2.5, cell=10),
             0,
+            where=number(2.5),
         ),
-        (
+        mistake(
             "40 is typed in as the number of cells across: use ACROSS, so that it can change",
             with_other(keep=lambda c, r: 0 <= c < 40 and 0 <= r < 40, cell=10),
             2,
+            where=number(40),
         ),
     ],
 )

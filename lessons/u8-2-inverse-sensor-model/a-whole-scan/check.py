@@ -1,6 +1,6 @@
 """The layers "free" and "hit": what all the beams of a run say, each cell of 5 cm."""
 
-from grader import check
+from grader import calls, check, code, lacks, mistake, operator, reads, stores
 from mapping.beam import clear_length, end_of_hit, passed_by_steps
 from mapping.grid import Grid
 
@@ -77,16 +77,37 @@ def measured_again(run):
 
 
 MISTAKES = [
+    mistake(
+        "None got into hits: where a beam found nothing, hit is None, so ask before you add it",
+        lambda run: "NoneType" in run.error,
+        2,
+        where=(code("hits.add(_)"), lacks(code("_ is not None", "_ is None", "_ != None"))),
+        broken_off=True,
+    ),
+    mistake(
+        "hits.update(hit) takes the cell apart into two numbers: hits.add(hit) keeps it as one",
+        lambda run: "'int'" in run.error or " int object" in run.error,
+        2,
+        where=code("hits.update(_)"),
+        broken_off=True,
+    ),
+    mistake(
+        "odometry() is what the robot believes, and it drifts: position() says where it is",
+        lambda run: True,
+        0,
+        where=(calls("odometry"), lacks(calls("position"))),
+    ),
     (
         "only one reading is used each time: go through all the pairs of scan()",
         lambda run: all(len(scan.beams) == 1 for scan in run.scans),
         0,
     ),
-    (
+    mistake(
         "distance() measures anew, straight ahead: take the reading that scan() gives together "
         "with the angle",
         measured_again,
         2,
+        where=calls("distance"),
     ),
     ("no hit is kept: add it to hits, unless it is None", lambda run: not drawn(run)[1], 2),
     ("no free cell is kept: free.update(passed) adds them all", lambda run: not drawn(run)[0], 2),
@@ -102,11 +123,12 @@ MISTAKES = [
         ),
         0,
     ),
-    (
+    mistake(
         "free holds the cells of one beam only: add with free.update(passed), for = throws the "
         "others away",
         free_replaced,
         2,
+        where=stores("free"),
     ),
     (
         "only the last scan is drawn: add to free and hits, don't begin them anew",
@@ -119,15 +141,17 @@ MISTAKES = [
         seen(direction=lambda run, scan, angle, reading: angle, most=0.15),
         1,
     ),
-    (
+    mistake(
         "heading() was added twice: the direction is heading() + angle",
         seen(direction=lambda run, scan, angle, reading: 2 * scan.heading + angle),
         1,
+        where=calls("heading"),
     ),
-    (
+    mistake(
         "the angle was subtracted: both turn clockwise, so add it to heading()",
         seen(direction=lambda run, scan, angle, reading: scan.heading - angle),
         1,
+        where=operator("-"),
     ),
     (
         "all eight beams were sent straight ahead: add the angle of each to heading()",
@@ -150,21 +174,23 @@ MISTAKES = [
         ),
         1,
     ),
-    (
+    mistake(
         "START was not added: position() counts from where the robot started",
         seen(
             x=lambda run, scan, angle, reading: scan.x - run.start.x,
             y=lambda run, scan, angle, reading: scan.y - run.start.y,
         ),
         1,
+        where=lacks(reads("START")),
     ),
-    (
+    mistake(
         "position() was subtracted: the robot is at START plus what position() says",
         seen(
             x=lambda run, scan, angle, reading: 2 * run.start.x - scan.x,
             y=lambda run, scan, angle, reading: 2 * run.start.y - scan.y,
         ),
         1,
+        where=(calls("position"), operator("-")),
     ),
     (
         "x and y are the wrong way round: position() gives x first",

@@ -6,7 +6,7 @@ The robot faces 20 degrees meanwhile, so that a heading which is added to the an
 from math import ceil, degrees
 
 from bugbot.frames import cell_of
-from grader import check, function
+from grader import calls, check, function, lacks, loops, mistake, number, operator, reads
 from mapping.beam import end_of_beam
 
 CELL = 5
@@ -84,32 +84,36 @@ cells_passed = function(
     compare=same_cells,
     cell_cm=CELL,
     mistakes=[
-        (
+        mistake(
             "only one cell of the beam came out: walk along it, and append the cell at each step",
             only_the_end,
             0,
+            where=lacks(loops()),
         ),
-        (
+        mistake(
             "only the first step came out: the walk must go on, and the return comes after the "
             "loop",
             lambda *asked: passed(*asked)[:1],
             2,
+            where=loops(),
         ),
-        (
+        mistake(
             "the same cell came out at each step: ask end_of_beam for the point `along` cm away, "
             "not for the end of the beam",
             at(lambda reading: reading),
             0,
+            where=calls("end_of_beam"),
         ),
         (
             "steps of a whole cell jump over corners: step half a cell, CELL / 2",
             with_other(step=CELL),
             1,
         ),
-        (
+        mistake(
             "a step is CELL / 2, which is 2.5 cm: CELL // 2 is only 2",
             with_other(step=CELL // 2),
             1,
+            where=operator("//"),
         ),
         (ONE_CENTIMETRE, with_other(step=1), 1),
         (
@@ -148,36 +152,41 @@ cells_passed = function(
             with_other(first=1),
             2,
         ),
-        (
+        mistake(
             "something closer than one cell: reading - CELL is negative there, and the list "
             "stays empty; don't take abs() of it",
             lambda x, y, angle, reading: passed(x, y, angle, CELL + abs(reading - CELL)),
             1,
+            where=calls("abs"),
         ),
         (
             "the beam went straight up: its angle decides the direction, so use end_of_beam",
             along(lambda angle: 0),
             0,
         ),
-        (
+        mistake(
             "sine and cosine are the wrong way round: end_of_beam has them right, so call it",
             along(lambda angle: 90 - angle),
             0,
+            where=(calls("sin"), calls("cos")),
         ),
-        (
+        mistake(
             "degrees were taken for radians: end_of_beam takes degrees, so call it",
             along(degrees),
             0,
+            where=calls("sin", "cos", "exp", "rect"),
         ),
-        (
+        mistake(
             "heading() was added: the angle is the direction on the mat already",
             along(lambda angle: angle + 20),
             0,
+            where=calls("heading"),
         ),
-        (
+        mistake(
             "the beam begins at START here: it begins at the x and y that the function is given",
             lambda x, y, angle, reading: passed(100, 40, angle, reading),
             0,
+            where=reads("START"),
         ),
         ("None is not a cell: where cell_of gives None, append nothing", walked, 2),
         (
@@ -204,20 +213,23 @@ CELLS_OF_10 = function(
     compare=same_cells,
     cell_cm=10,
     mistakes=[
-        (
+        mistake(
             "2.5 is typed in as the step: use CELL / 2, so that CELL can change",
             with_other(step=2.5, short=10, cell=10),
             1,
+            where=number(2.5),
         ),
-        (
+        mistake(
             "5 is typed in as the side of a cell: use CELL, so that it can change",
             with_other(step=5, short=5, cell=10),
             1,
+            where=number(5),
         ),
-        (
+        mistake(
             "5 is typed in as the side of a cell: use CELL, so that it can change",
             with_other(step=2.5, short=5, cell=10),
             1,
+            where=number(5),
         ),
     ],
 )

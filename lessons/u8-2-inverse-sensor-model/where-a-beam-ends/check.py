@@ -5,7 +5,7 @@ The robot faces 20 degrees meanwhile, so that a heading which is added to the an
 
 from math import cos, degrees, radians, sin
 
-from grader import check, function, near
+from grader import calls, check, function, mistake, near, reads
 from mapping.beam import end_of_beam as right_end
 
 
@@ -40,30 +40,44 @@ end_of_beam = function(
     right_end,
     compare=near(0.01, "cm"),
     mistakes=[
-        (
+        mistake(
             "sine and cosine are the wrong way round: the angle is clockwise from straight up the "
             "mat, so x goes by sine and y by cosine",
             by(cosine, sine),
             0,
+            where=(calls("sin"), calls("cos")),
         ),
-        (
+        mistake(
             "degrees were taken for radians: turn the angle into radians before math.sin() and "
             "math.cos()",
             by(sin, cos),
             1,
+            where=calls("sin", "cos", "exp", "rect"),
         ),
-        (
+        mistake(
             "only one of the two got radians: math.sin() and math.cos() both want them",
             by(sine, cos),
             1,
+            where=(calls("sin"), calls("cos")),
         ),
-        (
+        mistake(
             "only one of the two got radians: math.sin() and math.cos() both want them",
             by(sin, cosine),
             1,
+            where=(calls("sin"), calls("cos")),
         ),
-        ("x and y both go by sine: y goes by cosine", by(sine, sine), 0),
-        ("x and y both go by cosine: x goes by sine", by(cosine, cosine), 0),
+        mistake(
+            "x and y both go by sine: y goes by cosine",
+            by(sine, sine),
+            0,
+            where=calls("sin"),
+        ),
+        mistake(
+            "x and y both go by cosine: x goes by sine",
+            by(cosine, cosine),
+            0,
+            where=calls("cos"),
+        ),
         (
             "y was taken to grow downwards: on the mat y grows upwards, so add",
             lambda x, y, angle, reading: right_end(x, y, 180 - angle, reading),
@@ -79,26 +93,29 @@ end_of_beam = function(
             lambda x, y, angle, reading: right_end(0, 0, angle, reading),
             2,
         ),
-        (
+        mistake(
             "the beam begins at START here: it begins at the x and y that the function is given",
             lambda x, y, angle, reading: right_end(100, 40, angle, reading),
             2,
+            where=reads("START"),
         ),
-        (
+        mistake(
             "START was added: x and y count from the corner of the mat already",
             lambda x, y, angle, reading: right_end(x + 100, y + 40, angle, reading),
             2,
+            where=reads("START"),
         ),
         (
             "the angle was taken anticlockwise: a positive angle points to the right, so add to x",
             lambda x, y, angle, reading: right_end(x, y, -angle, reading),
             0,
         ),
-        (
+        mistake(
             "math.degrees() goes the wrong way: the angle is in degrees already, and "
             "math.radians() makes radians of it",
             lambda x, y, angle, reading: right_end(x, y, degrees(degrees(angle)), reading),
             1,
+            where=calls("degrees", "rad2deg"),
         ),
         (
             "the reading was left out: multiply the sine and the cosine by it",
@@ -119,8 +136,18 @@ end_of_beam = function(
             lambda *asked: right_end(*asked)[::-1],
             0,
         ),
-        (TURNED, lambda x, y, angle, reading: right_end(x, y, angle + 20, reading), 0),
-        (TURNED, lambda x, y, angle, reading: right_end(x, y, angle + 70, reading), 0),
+        mistake(
+            TURNED,
+            lambda x, y, angle, reading: right_end(x, y, angle + 20, reading),
+            0,
+            where=calls("heading"),
+        ),
+        mistake(
+            TURNED,
+            lambda x, y, angle, reading: right_end(x, y, angle + 70, reading),
+            0,
+            where=calls("heading"),
+        ),
         (ROUNDED, rounded(round), 2),
         (ROUNDED, rounded(int), 2),
         (ROUNDED, rounded(lambda value: round(value, 1)), 2),

@@ -1,6 +1,6 @@
 """add_all(grid, rows, columns, evidence, limit): NumPy adds to many cells at once."""
 
-from grader import check, function, near
+from grader import calls, check, code, either, function, loops, mistake, near, number, reads
 
 
 def clamped(grid, low, high):
@@ -68,15 +68,27 @@ add_all = function(
     add_each,
     compare=near(0.0001),
     mistakes=[
-        (
+        mistake(
             "a repeated cell counted once: grid[rows, columns] += evidence does that; np.add.at() "
             "counts every one",
             once_each,
             1,
+            where=code("_[_] += _", "_[_] = _"),
         ),
         (
+            "a cell that is named twice counted once: each time it is named is evidence",
+            once_each,
+            1,
+        ),
+        mistake(
             "what comes back is not clamped: np.clip() changes nothing in place, it gives back a "
             "new array",
+            unclamped,
+            2,
+            where=calls("clip"),
+        ),
+        (
+            "what comes back is not clamped: hold it between -limit and limit",
             unclamped,
             2,
         ),
@@ -94,13 +106,25 @@ add_all = function(
             ),
             1,
         ),
-        (
+        mistake(
             "it is clamped only at the top: np.minimum() holds one side, np.clip() both",
             between(lambda limit: -NO_LIMIT, lambda limit: limit),
             2,
+            where=calls("minimum", "min"),
         ),
         (
+            "it is clamped only at the top: free floor needs a limit too, at -limit",
+            between(lambda limit: -NO_LIMIT, lambda limit: limit),
+            2,
+        ),
+        mistake(
             "it is clamped only at the bottom: np.maximum() holds one side, np.clip() both",
+            between(lambda limit: -limit, lambda limit: NO_LIMIT),
+            2,
+            where=calls("maximum", "max"),
+        ),
+        (
+            "it is clamped only at the bottom: walls need a limit too, at limit",
             between(lambda limit: -limit, lambda limit: NO_LIMIT),
             2,
         ),
@@ -109,20 +133,23 @@ add_all = function(
             between(lambda limit: 0, lambda limit: limit),
             2,
         ),
-        (
+        mistake(
             "the limit is 8 here, whatever the function is told: use its parameter `limit`",
             between(lambda limit: -8, lambda limit: 8),
             2,
+            where=either(number(8), reads("L_MAX")),
         ),
-        (
+        mistake(
             "-limit and limit have changed places: np.clip(grid, -limit, limit)",
             between(lambda limit: limit, lambda limit: -limit),
             2,
+            where=calls("clip"),
         ),
-        (
+        mistake(
             "-limit and limit have changed places: np.clip(grid, -limit, limit)",
             lambda grid, rows, columns, evidence, limit: [[-limit for _ in row] for row in grid],
             2,
+            where=calls("clip"),
         ),
         (
             "clamped before the evidence was added: add first, then clamp",
@@ -134,10 +161,11 @@ add_all = function(
             named_clamped,
             2,
         ),
-        (
+        mistake(
             "clamped after each step: add all the evidence first, then clamp the whole grid once",
             clamped_step_by_step,
             2,
+            where=loops(),
         ),
         (
             "the evidence went to every cell: only the named ones get it",

@@ -2,7 +2,7 @@
 
 from math import ceil, floor
 
-from grader import check, function, near
+from grader import calls, check, function, lacks, mistake, near, number, reads
 
 KNOWN = 1
 
@@ -36,11 +36,12 @@ hits_needed = function(
             lambda l, l_occ: max(0, ceil((KNOWN - l) / l_occ)),
             2,
         ),
-        (
+        mistake(
             "math.ceil() gives one hit too few where the sum comes to exactly KNOWN, and less than "
             "0 for a cell that is occupied already",
             lambda l, l_occ: ceil((KNOWN - l) / l_occ),
             2,
+            where=calls("ceil"),
         ),
         (STOPS_AT_0, lambda l, l_occ: max(0, ceil(-l / l_occ)), 0),
         (STOPS_AT_0, lambda l, l_occ: max(0, floor(-l / l_occ) + 1), 0),
@@ -51,10 +52,11 @@ hits_needed = function(
         ),
         (NEVER_BELOW_0, lambda l, l_occ: floor((KNOWN - l) / l_occ) + 1, 2),
         (NEVER_BELOW_0, lambda l, l_occ: int((KNOWN - l) / l_occ) + 1, 2),
-        (
+        mistake(
             "a cell that is occupied already needs 0 hits: abs() makes some of it",
             lambda l, l_occ: floor(abs(KNOWN - l) / l_occ) + 1,
             2,
+            where=calls("abs"),
         ),
         (
             "hits come in whole numbers: count up to the next whole one",
@@ -82,10 +84,11 @@ hits_needed = function(
             lambda l, l_occ: min(1, hits(l, l_occ)),
             1,
         ),
-        (
+        mistake(
             "0.85 was added whatever l_occ is: use the parameter l_occ",
             lambda l, l_occ: hits(l, 0.85),
             1,
+            where=number(0.85),
         ),
         (
             "it goes on up to the clamp: the cell is occupied as soon as its log odds are above "
@@ -105,7 +108,14 @@ KNOWN_2_5 = function(
     "hits_needed(l, l_occ)",
     lambda l, l_occ: hits(l, l_occ, 2.5),
     compare=near(1e-6),
-    mistakes=[("1 is typed in: use KNOWN, so that it can change", hits, 2)],
+    mistakes=[
+        mistake(
+            "1 is typed in: use KNOWN, so that it can change",
+            hits,
+            2,
+            where=(number(1), lacks(reads("KNOWN"))),
+        )
+    ],
 )
 
 

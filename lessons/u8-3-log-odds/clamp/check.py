@@ -1,6 +1,6 @@
 """add(l, evidence, limit): add, then clamp."""
 
-from grader import check, function, near
+from grader import calls, check, either, function, mistake, near, number, operator, reads
 
 
 def kept(l, limit):
@@ -67,17 +67,42 @@ add = function(
             lambda l, evidence, limit: kept(l, limit) + evidence,
             0,
         ),
-        (CHANGED_PLACES, lambda l, evidence, limit: max(limit, min(-limit, l + evidence)), 2),
-        (CHANGED_PLACES, lambda l, evidence, limit: min(-limit, max(limit, l + evidence)), 2),
+        mistake(
+            CHANGED_PLACES,
+            lambda l, evidence, limit: max(limit, min(-limit, l + evidence)),
+            2,
+            where=(calls("min"), calls("max")),
+        ),
+        mistake(
+            CHANGED_PLACES,
+            lambda l, evidence, limit: min(-limit, max(limit, l + evidence)),
+            2,
+            where=(calls("min"), calls("max")),
+        ),
         (
             "the two limits have changed places: above limit the answer is limit, below -limit "
             "it is -limit",
             beyond(lambda l, total, limit: -limit if total > 0 else limit),
             2,
         ),
-        (OWN_LIMIT, lambda l, evidence, limit: kept(l + evidence, 8), 1),
-        (OWN_LIMIT, lambda l, evidence, limit: max(-8, min(limit, l + evidence)), 1),
-        (OWN_LIMIT, lambda l, evidence, limit: max(-limit, min(8, l + evidence)), 1),
+        mistake(
+            OWN_LIMIT,
+            lambda l, evidence, limit: kept(l + evidence, 8),
+            1,
+            where=either(number(8), reads("L_MAX")),
+        ),
+        mistake(
+            OWN_LIMIT,
+            lambda l, evidence, limit: max(-8, min(limit, l + evidence)),
+            1,
+            where=either(number(8), reads("L_MAX")),
+        ),
+        mistake(
+            OWN_LIMIT,
+            lambda l, evidence, limit: max(-limit, min(8, l + evidence)),
+            1,
+            where=either(number(8), reads("L_MAX")),
+        ),
         (
             "evidence past the limit is thrown away: the sum should come to rest on the limit",
             beyond(lambda l, total, limit: l),
@@ -93,10 +118,11 @@ add = function(
             lambda l, evidence, limit: max(0, min(limit, l + evidence)),
             1,
         ),
-        (
+        mistake(
             "the sign is lost: below -limit the answer is -limit, and abs() makes limit of it",
             lambda l, evidence, limit: min(limit, abs(l + evidence)),
             1,
+            where=calls("abs"),
         ),
         (
             "the evidence is missing: clamp l + evidence, not l",
@@ -108,15 +134,17 @@ add = function(
             lambda l, evidence, limit: kept(l - evidence, limit),
             0,
         ),
-        (
+        mistake(
             "l and evidence were multiplied: evidence is added",
             lambda l, evidence, limit: kept(l * evidence, limit),
             0,
+            where=operator("*"),
         ),
-        (
+        mistake(
             "L_OCC was added, whatever the evidence is: use the parameter `evidence`",
             lambda l, evidence, limit: kept(l + 0.85, limit),
             0,
+            where=reads("L_OCC"),
         ),
         (
             "within the limits nothing comes back: the sum itself has to be returned there",

@@ -92,6 +92,11 @@ def plots_cells(run):
 
 
 MISTAKES = [
+    (
+        "the log odds stay at 0: store what comes out back into the list, log_odds[cell] = ...",
+        lambda run: all(value == 0 for name in CELLS for _, value in run.line(name).points),
+        0,
+    ),
     mistake(
         "there is no clamp: add(), after adding, must keep log_odds[cell] between -L_MAX and L_MAX",
         lambda l, beam: l - 0.4 * beam.passes + 0.85 * beam.hit,

@@ -2,7 +2,7 @@
 
 from math import prod
 
-from grader import check, function, near
+from grader import check, function, loops, mistake, near, operator, reads
 from mapping.log_odds import log_odds, probability
 
 
@@ -31,16 +31,18 @@ fuse = function(
     fused,
     compare=near(0.0001),
     mistakes=[
-        (
+        mistake(
             "that is the average of the readings: ten readings of 0.7 should leave no doubt, and "
             "their average is still 0.7",
             if_any(lambda readings: sum(readings) / len(readings)),
             0,
+            where=operator("/", "//"),
         ),
-        (
+        mistake(
             "that is the average of the log odds: evidence adds up, so don't divide",
             if_any(lambda readings: probability(total(readings) / len(readings))),
             0,
+            where=operator("/", "//"),
         ),
         (
             "only the largest reading counts here: every reading is evidence",
@@ -102,16 +104,18 @@ fuse = function(
             lambda readings: fused(readings[:-1]),
             1,
         ),
-        (
+        mistake(
             "only the first reading counts: the return is inside the loop, so the first time "
             "round ends it",
             if_any(lambda readings: readings[0]),
             2,
+            where=loops(),
         ),
-        (
+        mistake(
             "READINGS was used: the function must fuse the readings that it is given",
             lambda readings: fused(OF_THE_PROGRAM),
             1,
+            where=reads("READINGS"),
         ),
         (
             "an empty list has no first reading: begin with l = 0.0, then add all of them",

@@ -2,7 +2,7 @@
 
 from math import exp, inf, log, log1p, log2, log10
 
-from grader import check, function, near
+from grader import calls, check, code, either, function, mistake, near, number
 from mapping import log_odds as reference
 
 NO_BRACKETS = (
@@ -32,10 +32,11 @@ log_odds = function(
             lambda p: log2(p / (1 - p)),
             1,
         ),
-        (
+        mistake(
             "math.log1p() adds 1 before it takes the logarithm: use math.log()",
             lambda p: log1p(p / (1 - p)),
             1,
+            where=calls("log1p"),
         ),
         (
             "these are the odds, not yet their logarithm: put math.log() round p / (1 - p)",
@@ -48,18 +49,29 @@ log_odds = function(
             lambda p: log((1 - p) / p),
             0,
         ),
-        (
+        mistake(
             "two logarithms were divided: divide p by 1 - p first, then take one logarithm",
             lambda p: log(p) / log(1 - p),
             0,
+            where=calls("log"),
         ),
         (
             "the logarithm was taken of p alone: it belongs round all of p / (1 - p)",
             lambda p: log(p) / (1 - p),
             1,
         ),
-        (NO_BRACKETS, lambda p: log(p / 1 - p), 1),
-        (NO_BRACKETS, lambda p: -inf, 1),
+        mistake(
+            NO_BRACKETS,
+            lambda p: log(p / 1 - p),
+            1,
+            where=code("_ / 1 - _"),
+        ),
+        mistake(
+            NO_BRACKETS,
+            lambda p: -inf,
+            1,
+            where=code("_ / 1 - _"),
+        ),
         (ROUNDED, rounded(reference.log_odds, 1), 2),
         (ROUNDED, rounded(reference.log_odds, 2), 2),
         (ROUNDED, rounded(reference.log_odds, 3), 2),
@@ -81,36 +93,40 @@ probability = function(
             lambda l: exp(-l),
             2,
         ),
-        (
+        mistake(
             "the sign of l is turned round: with math.exp(l) below the line, a large l gives a "
             "small p",
             lambda l: 1 / (1 + exp(l)),
             2,
+            where=calls("exp", "pow", "e"),
         ),
         (
             "undo the logarithm first, with math.exp(): l / (1 + l) takes log odds for odds",
             lambda l: l / (1 + l),
             1,
         ),
-        (
+        mistake(
             "brackets are missing: 1 / 1 + ... divides by 1 only; write 1 / (1 + ...)",
             lambda l: 1 / 1 + exp(-l),
             2,
+            where=code("1 / 1 + _"),
         ),
         (
             "a plus sign is wanted below the line: 1 / (1 + math.exp(-l))",
             lambda l: 1 / (1 - exp(-l)),
             2,
         ),
-        (
+        mistake(
             "powers of 10 undo the logarithm to base 10: math.exp() undoes math.log()",
             lambda l: 1 / (1 + 10**-l),
             1,
+            where=number(10),
         ),
-        (
+        mistake(
             "powers of 2 undo the logarithm to base 2: math.exp() undoes math.log()",
             lambda l: 1 / (1 + 2**-l),
             1,
+            where=either(number(2), calls("exp2")),
         ),
         (ROUNDED, rounded(reference.probability, 1), 2),
         (ROUNDED, rounded(reference.probability, 2), 2),

@@ -2,7 +2,7 @@
 
 from math import hypot
 
-from grader import check
+from grader import calls, check, mistake
 
 KNOWN = 1
 
@@ -47,11 +47,12 @@ SLIPS = [
         lambda run: ways(run) < 8,
         1,
     ),
-    (
+    mistake(
         "sine and cosine look swapped on the way to a goal: a "
         "heading is math.atan2(dx, dy), with x first",
         lambda run: reach(run, 1) > reach(run, 2) and max(y for _, _, y, _ in run.path) < 60,
         2,
+        where=calls("sin", "cos", "atan2"),
     ),
     (
         "it took too long: turn faster, and look round at fewer places",

@@ -6,7 +6,7 @@ int(clear / step) then agree. No point lies on a line between cells.
 
 from math import cos, floor, radians, sin
 
-from grader import check, function, near
+from grader import calls, check, function, mistake, near, operator
 from mapping.beam import Weights, passed_by_steps
 from mapping.mapper import Mapper
 
@@ -103,16 +103,18 @@ add_beam = function(
     grid_cm=5,
     compare=near(0.0001),
     mistakes=[
-        (
+        mistake(
             "sine and cosine are the wrong way round: an angle is clockwise from "
             "up the mat, so x goes by sine and y by cosine",
             by(direction=lambda angle: (cos(radians(angle)), sin(radians(angle)))),
             0,
+            where=(calls("sin"), calls("cos")),
         ),
-        (
+        mistake(
             "degrees were taken for radians: math.sin() and math.cos() want math.radians(angle)",
             by(direction=lambda angle: (sin(angle), cos(angle))),
             0,
+            where=calls("sin", "cos", "exp", "rect"),
         ),
         (
             "the angle was counted the other way: clockwise means that x grows with the sine",
@@ -139,10 +141,11 @@ add_beam = function(
             by(clear=lambda reading: 170 if reading >= 170 else reading),
             1,
         ),
-        (
+        mistake(
             "one step too far: go on while you are nearer than the clear length, with < and not <=",
             by(steps=lambda clear: [i * 2.5 for i in range(int(clear / 2.5) + 1)]),
             1,
+            where=operator("<="),
         ),
         (
             "the step at 0 cm is missing: the robot stands on floor too, so begin there",
@@ -202,10 +205,11 @@ add_beam = function(
             by(put=lambda before, weight: clamped(0, weight)),
             2,
         ),
-        (
+        mistake(
             "L_FREE was subtracted: it is negative already, so add it",
             by(pass_weight=0.4),
             1,
+            where=operator("-"),
         ),
         (
             "a cell is counted once a beam: give it L_FREE at every half-cell step",
@@ -236,10 +240,11 @@ add_beam = function(
             2,
         ),
         (BEYOND + " (ACROSS itself is one too many)", by(cell=one_too_far), 2),
-        (
+        mistake(
             "int() rounds -0.4 to 0, so a point just off the mat gets a cell: use math.floor()",
             by(cell=truncated),
             2,
+            where=calls("int"),
         ),
     ],
 )

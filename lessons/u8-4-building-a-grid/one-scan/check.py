@@ -7,7 +7,7 @@ heading() is 45 when the function is called.
 
 from math import radians
 
-from grader import calls, check, function, mistake, near
+from grader import calls, check, function, loops, mistake, near
 from mapping.mapper import Mapper
 
 
@@ -30,10 +30,11 @@ add_scan = function(
     grid_cm=5,
     compare=near(0.0001),
     mistakes=[
-        (
+        mistake(
             "add_beam() got radians: it wants degrees, and turns them into radians itself",
             by(lambda facing, angle: radians(facing + angle)),
             2,
+            where=calls("radians", "deg2rad", "pi"),
         ),
         mistake(
             "heading() was added to facing: facing is the heading already, so add it once",
@@ -74,11 +75,12 @@ add_scan = function(
             by(which=slice(0, 1)),
             0,
         ),
-        (
+        mistake(
             "only the last beam is added: the call of "
             "add_beam() must stand inside the loop, indented",
             by(which=slice(-1, None)),
             0,
+            where=loops(),
         ),
         (
             "the last beam is missing: go through readings itself, for angle, reading in readings",

@@ -2,7 +2,7 @@
 
 from math import atan2, cos, degrees, pi, radians, sin
 
-from grader import check, function, mistake, near, number
+from grader import calls, check, function, mistake, near, number
 
 FAN = [-19.6875 + 5.625 * i for i in range(8)]
 
@@ -41,10 +41,11 @@ wall_direction = function(
     line_by(),
     compare=same_line,
     mistakes=[
-        (
+        mistake(
             "half of the angle that atan2() gives is the direction",
             line_by(angle=lambda a, b, c: degrees(atan2(2 * c, b - a)) % 180),
             1,
+            where=calls("atan2"),
         ),
         (
             "the angle is from the x axis: here directions "
@@ -68,10 +69,11 @@ wall_direction = function(
             line_by(far=170.001),
             0,
         ),
-        (
+        mistake(
             "degrees are wanted: math.atan2() gives radians",
             line_by(angle=lambda a, b, c: atan2(2 * c, b - a) / 2 % pi),
             1,
+            where=calls("atan2"),
         ),
     ],
 )

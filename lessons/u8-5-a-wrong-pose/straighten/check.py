@@ -2,7 +2,7 @@
 
 from math import cos, hypot, radians, sin
 
-from grader import check, function
+from grader import calls, check, function, mistake
 
 
 def by(
@@ -74,10 +74,11 @@ corrected = function(
             by(steps=lambda rate, t: -radians(rate * t)),
             2,
         ),
-        (
+        mistake(
             "degrees look taken for radians: math.sin() and math.cos() want math.radians()",
             by(steps=lambda rate, t: rate * t),
             2,
+            where=calls("sin", "cos", "exp", "rect"),
         ),
         (
             "the places are turned about the start as they are: "

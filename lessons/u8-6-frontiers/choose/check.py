@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import dist
 
-from grader import check, function
+from grader import calls, check, function, mistake
 from mapping.planning import choose_region
 
 
@@ -58,7 +58,12 @@ nearest_cell = function(
             lambda here, region: min(region, key=lambda cell: on_foot(here, cell)),
             0,
         ),
-        ("that is the smallest cell, not the nearest: min() wants a key", lambda h, r: min(r), 0),
+        mistake(
+            "that is the smallest cell, not the nearest: min() wants a key",
+            lambda h, r: min(r),
+            0,
+            where=calls("min"),
+        ),
         (
             "that is the distance: the cell is wanted",
             lambda here, region: min(dist(here, cell) for cell in region),
@@ -137,7 +142,7 @@ choose = function(
             lambda here, regions, gain: nearest(here, regions[0]) if regions else None,
             1,
         ),
-        (
+        mistake(
             "the worst region was chosen: what is worth most is wanted, max() and not min()",
             lambda here, regions, gain: chosen(
                 here,
@@ -146,6 +151,7 @@ choose = function(
                 way=lambda here, region: -dist(here, nearest(here, region)),
             ),
             2,
+            where=calls("min", "sorted", "sort"),
         ),
     ],
 )

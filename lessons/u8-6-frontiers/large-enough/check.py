@@ -1,6 +1,6 @@
 """large_regions(regions, at_least): without the small ones, the largest first."""
 
-from grader import check, exactly, function, in_any_order
+from grader import calls, check, exactly, function, in_any_order, mistake, number
 
 
 def kept(regions, at_least):
@@ -31,10 +31,11 @@ large_regions = function(
             0,
         ),
         ("the order is still that of regions: the largest comes first", kept, 1),
-        (
+        mistake(
             "the smallest comes first: sorted() goes up, unless it is told reverse=True",
             lambda regions, at_least: large(regions, at_least)[::-1],
             2,
+            where=calls("sorted", "sort"),
         ),
         (
             "nothing was left out: only regions of at least so many cells are to stay",
@@ -68,10 +69,11 @@ large_regions = function(
             lambda regions, at_least: max(kept(regions, at_least), key=len, default=[]),
             0,
         ),
-        (
+        mistake(
             "4 was typed in: at_least says how many cells are enough",
             lambda regions, at_least: large(regions, 4),
             0,
+            where=number(4),
         ),
     ],
 )
@@ -80,10 +82,11 @@ unchanged = function(
     lambda regions, at_least: None,
     changes="regions",
     mistakes=[
-        (
+        mistake(
             "regions was sorted itself: sorted() makes a new list, .sort() changes the old one",
             lambda regions, at_least: regions.sort(key=len, reverse=True),
             2,
+            where=calls("sort"),
         ),
     ],
 )

@@ -5,7 +5,7 @@ Whether the start itself counts is not asked: no line is blocked within 1 cm of 
 
 from math import dist, floor
 
-from grader import check, function
+from grader import check, function, mistake, number
 from mapping.frontiers import gap_to_walls
 
 SPARE = 6
@@ -126,10 +126,11 @@ straight_way = of(
 wide = of(
     11,
     [
-        (
+        mistake(
             "6 was typed in: SPARE says how far the robot keeps from walls",
             lambda start, goal, walls: clear(start, goal, walls, 6),
             0,
+            where=number(6),
         ),
     ],
 )

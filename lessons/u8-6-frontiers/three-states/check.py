@@ -2,7 +2,7 @@
 
 from math import log, log10
 
-from grader import check, function
+from grader import calls, check, either, function, lacks, mistake, number, reads
 from mapping.frontiers import State, states_by_probability
 from mapping.log_odds import log_odds as log_odds_of
 
@@ -35,20 +35,23 @@ def with_thresholds(free_p, occ_p, mistakes):
 
 
 TYPED_IN = [
-    (
+    mistake(
         "the thresholds were typed in: work them out from OCC_P and FREE_P, which may change",
         right,
         1,
+        where=lacks(reads("OCC_P", "FREE_P")),
     ),
-    (
+    mistake(
         "OCC_P was typed in: work out both thresholds from the names, which may change",
         lambda cells: (reference(0.3, 0.9)(cells)[0], right(cells)[1]),
         1,
+        where=lacks(reads("OCC_P")),
     ),
-    (
+    mistake(
         "FREE_P was typed in: work out both thresholds from the names, which may change",
         lambda cells: (right(cells)[0], reference(0.3, 0.9)(cells)[1]),
         1,
+        where=lacks(reads("FREE_P")),
     ),
     (
         "both thresholds come from OCC_P: the lower one comes from FREE_P",
@@ -88,25 +91,28 @@ read_map = with_thresholds(
             by(0, 0),
             0,
         ),
-        (
+        mistake(
             "the limits are 1 and -1, those of U8.4: here they come from OCC_P and FREE_P",
             by(-1, 1),
             1,
+            where=number(1),
         ),
         (
             "the odds were left without their logarithm: math.log(p / (1 - p))",
             by(0.35 / 0.65, 0.65 / 0.35),
             1,
         ),
-        (
+        mistake(
             "math.log(p) is not the log odds: it is math.log(p / (1 - p))",
             by(log(0.35), log(0.65)),
             1,
+            where=calls("log"),
         ),
-        (
+        mistake(
             "math.log10() has the base 10: log odds are math.log(p / (1 - p))",
             by(log10(0.35 / 0.65), log10(0.65 / 0.35)),
             1,
+            where=either(calls("log10"), number(10)),
         ),
     ],
 )

@@ -2,7 +2,7 @@
 
 from math import atan2, cos, hypot, radians, sin
 
-from grader import check, function, near
+from grader import calls, check, function, mistake, near
 
 
 def by(facing_in=lambda facing: radians(facing), way=atan2, scale=lambda dx, dy: 100.0):
@@ -30,11 +30,12 @@ speeds = function(
     by(),
     compare=near(0.1, "per cent"),
     mistakes=[
-        (
+        mistake(
             "sine and cosine look swapped: ahead goes by the cosine of the angle between the "
             "robot's heading and the way, to the right by its sine",
             swapped,
             1,
+            where=calls("sin", "cos"),
         ),
         (
             "the heading is left out: what is ahead depends on the way the robot faces",
@@ -46,15 +47,17 @@ speeds = function(
             by(lambda facing: -radians(facing)),
             1,
         ),
-        (
+        mistake(
             "math.atan2 has its two numbers the wrong way round: a heading is atan2(dx, dy)",
             by(way=lambda dx, dy: atan2(dy, dx)),
             2,
+            where=calls("atan2"),
         ),
-        (
+        mistake(
             "degrees look taken for radians: the heading is in degrees, math works in radians",
             by(lambda facing: facing),
             2,
+            where=calls("sin", "cos", "exp", "rect"),
         ),
         (
             "the speed depends on how far it is: make it 100 per cent altogether",

@@ -17,7 +17,7 @@ from grader.conditions import (
     stores,
 )
 from grader.failures import AuthorError
-from grader.loops import loop_in
+from grader.looping import loop_in
 from grader.marking import mark_program
 from grader.parts import lines_written
 from grader.text import Source
