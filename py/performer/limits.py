@@ -19,8 +19,9 @@ RUN_LIMITS: dict[str, Any] = {
 """Of a run; each check names its own simulated seconds. `real_s` is for whoever runs the
 performer: after so many real seconds the interpreter is ended."""
 
-CALLS_LIMITS = {**RUN_LIMITS, "silent_s": 20.0, "real_s": 40.0}
-"""`silent_s` is more than PROGRAM_S: the functions are called after that."""
+CALLS_LIMITS = {**RUN_LIMITS, "silent_s": 60.0, "real_s": 60.0}
+"""A program is ended after PROGRAM_S, and its functions are called then; these are for what
+computes inside one single line."""
 
 PROGRAM_S = 10.0
 """Seconds of the processor that a program may take to its end before its functions are called."""

@@ -89,6 +89,7 @@ def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
     answers: list[dict[str, Any]] = []
     late = 0
     patience = PROGRAM_S
+    first_on: int | None = None
     for group in job["groups"]:
         if late >= _MOST_LATE:
             answers.append({"skipped": True})
@@ -108,14 +109,19 @@ def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
         )
         trace = caller.patient(run, patience)
         late += caller.late
-        if _stopped_on(caller) is not None:
-            patience = AGAIN_S  # the program itself went on and on: so it does every time
-        answers.append(_reply(trace, caller))
+        stopped_on = _stopped_on(caller)
+        if stopped_on is not None:  # the program itself went on and on: so it does every time
+            patience = AGAIN_S
+            first_on = stopped_on if first_on is None else first_on
+        answers.append(_reply(trace, caller, None if stopped_on is None else first_on))
     return _result(job, answers=answers)
 
 
-def _reply(trace: Trace, caller: Caller) -> dict[str, Any]:
-    """What a group came to: how the program ended, and the answers up to then."""
+def _reply(trace: Trace, caller: Caller, stopped_on: int | None) -> dict[str, Any]:
+    """What a group came to: how the program ended, and the answers up to then.
+
+    stopped_on  the line told if the program computed for too long, the same for every group
+    """
     fault = next(trace.of_kind("fault"), None)
     end = _end_of(trace)
     reply = {
@@ -124,10 +130,9 @@ def _reply(trace: Trace, caller: Caller) -> dict[str, Any]:
         "answers": caller.answers,
         "fault": fault and {key: fault[key] for key in ("type", "message", "line", "hint")},
     }
-    line = _stopped_on(caller)
-    if line is not None:
+    if stopped_on is not None:
         words = (
-            f"Stopped on line {line} after {PROGRAM_S:g} s of computing: "
+            f"Stopped on line {stopped_on} after {PROGRAM_S:g} s of computing: "
             "is there a loop that never ends?"
         )
         return {**reply, "status": "limit", "message": words, "fault": None}

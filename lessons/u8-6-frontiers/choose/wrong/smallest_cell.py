@@ -16,7 +16,8 @@ ACROSS = 20  # cells in a row
 # ---- your part ----
 def nearest_cell(here, region):
     """The cell of a region that is nearest to here."""
-    return min(region)
+    nearest = min(region)
+    return nearest
 
 
 def choose(here, regions, gain):
