@@ -40,6 +40,7 @@ __all__ = [
     "WorldError",
     "WrongTypeError",
     "WrongValueError",
+    "counted",
     "got",
     "nearest",
     "with_article",
@@ -118,6 +119,15 @@ def with_article(name: str) -> str:
     else:  # an UnboundLocalError, but a UnicodeError and a UserDict
         vowel = name[:1] in tuple("AEIOaeio") or re.match(r"[Uu]n(?!i)", name) is not None
     return f"{'an' if vowel else 'a'} {name}"
+
+
+def counted(count: int, one: str, many: str | None = None) -> str:
+    """So many of something; `many` is its plural where that is not just an s more.
+
+    >>> counted(1, "cell"), counted(1200, "cell"), counted(0, "pass", "passes")
+    ('1 cell', '1,200 cells', '0 passes')
+    """
+    return f"{count:,} {one if count == 1 else many or one + 's'}"
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:

@@ -53,6 +53,8 @@ from itertools import chain
 from math import isfinite
 from typing import IO, Any
 
+from bugbot.errors import counted
+
 __all__ = [
     "FORMAT",
     "KINDS",
@@ -320,7 +322,7 @@ def _row(line: str, number: int) -> Event:
         raise TraceError(f"line {number}: unknown kind {row[0]!r}; known: {', '.join(KINDS)}")
     if len(row) != len(fields) + 1:
         raise TraceError(
-            f"line {number}: {row[0]} has {len(fields)} values ({', '.join(fields)}), "
+            f"line {number}: {row[0]} has {counted(len(fields), 'value')} ({', '.join(fields)}), "
             f"not {len(row) - 1}"
         )
     return tuple(row)

@@ -18,6 +18,7 @@ import sys
 import time
 from pathlib import Path
 
+from bugbot.errors import counted
 from bugbot.plain_text import json_text, plain
 from grader.classes.command import add_arguments, mark_all
 from grader.lesson import LESSONS, CourseError, TaskFolder, lesson_at
@@ -152,8 +153,8 @@ def _check(options: argparse.Namespace) -> int:
     for fault in faults:
         print(f"\n{fault}")
     seconds = time.perf_counter() - began
-    said = "all is well" if not faults else f"{len(faults)} fault{'s' * (len(faults) != 1)}"
-    print(f"\n{len(reports)} lessons in {seconds:.1f} s: {said}")
+    said = "all is well" if not faults else f"{counted(len(faults), 'fault')}"
+    print(f"\n{counted(len(reports), 'lesson')} in {seconds:.1f} s: {said}")
     return 1 if faults else 0
 
 

@@ -1,6 +1,6 @@
 """How an answer is compared with what is right.
 
-May import: the standard library, `grader.failures`, `performer.values`.
+May import: the standard library, `bugbot.errors`, `grader.failures`, `performer.values`.
 
 Lists and tuples count as the same everywhere: a learner who answers [2, 1] for (2, 1) has
 understood. True and False are no numbers.
@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from math import isclose, isnan
 from typing import Any
 
+from bugbot.errors import counted
 from grader.failures import AuthorError
 from performer.values import Other, shown
 
@@ -147,7 +148,10 @@ def _difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
     if isinstance(compare, _InAnyOrder):
         return _what_is_missing(expected, got)
     if len(expected) != len(got):
-        return f"{len(expected)} items: {shown(expected)}", f"{len(got)} items: {shown(got)}"
+        return (
+            f"{counted(len(expected), 'item')}: {shown(expected)}",
+            f"{counted(len(got), 'item')}: {shown(got)}",
+        )
     for index, (right, wrong) in enumerate(zip(expected, got, strict=True)):
         if not compare(right, wrong):
             is_, it_is = difference(compare, right, wrong)
@@ -168,7 +172,7 @@ def _exact(value: Any) -> str:
 def _what_is_missing(expected: Any, got: Any) -> tuple[str, str]:
     missing = [each for each in expected if not any(exactly(each, other) for other in got)]
     extra = [each for each in got if not any(exactly(each, other) for other in expected)]
-    right = f"{len(expected)} parts, in any order"
+    right = f"{counted(len(expected), 'part')}, in any order"
     wrong = f"{len(got)}"
     if missing:
         right += f"; among them {shown(missing)}"

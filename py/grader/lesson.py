@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from bugbot import worlds
-from bugbot.errors import WorldError
+from bugbot.errors import WorldError, counted
 from bugbot.worlds import World
 from grader.schema import Document, read
 
@@ -262,7 +262,8 @@ class _Reader:
             self._fault(
                 self._path / "lesson.json",
                 task.line,
-                f"the task {task.name} has {len(paths)} wrong attempts; {FEWEST_WRONG} are wanted",
+                f"the task {task.name} has {counted(len(paths), 'wrong attempt')}; "
+                f"{FEWEST_WRONG} are wanted",
             )
         for path in paths:
             first = _text(path).partition("\n")[0]

@@ -15,7 +15,7 @@ from functools import cached_property
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
-from bugbot.errors import WrongValueError, nearest
+from bugbot.errors import WrongValueError, counted, nearest
 from bugbot.frames import MAT_CM
 from mapping.frontiers import State, known_states
 from mapping.grid import Grid
@@ -118,7 +118,7 @@ class Map:
             if self.unsupported_percent >= 0.5:
                 unknown = self._cells(self.unsupported)
                 got += (
-                    f", not counting {len(self.unsupported)} cells that are drawn though the "
+                    f", not counting {counted(len(self.unsupported), 'cell')} drawn though the "
                     "beams don't say so"
                 )
             self._fail(f"at least {at_least:g} % of the mat known", got, unknown)
@@ -133,7 +133,8 @@ class Map:
         if percent > at_most:
             self._fail(
                 f"at most {at_most:g} % of the occupied cells more than a cell from anything real",
-                f"{percent:.1f} %: {len(self.score.wrong_walls)} of {self.score.occupied} cells",
+                f"{percent:.1f} %: {len(self.score.wrong_walls)} of "
+                f"{counted(self.score.occupied, 'cell')}",
                 self._cells(self.score.wrong_walls),
             )
         return self
@@ -145,7 +146,7 @@ class Map:
         if percent > at_most:
             self._fail(
                 f"at most {at_most:g} % of the free cells inside something solid",
-                f"{percent:.1f} %: {len(wrong)} of {free} cells",
+                f"{percent:.1f} %: {len(wrong)} of {counted(free, 'cell')}",
                 self._cells(wrong),
             )
         return self
@@ -158,7 +159,7 @@ class Map:
             self._fail(
                 f"at least {at_least:g} % of the walls that its beams have met to be black, "
                 "give or take a cell",
-                f"{percent:.1f} %: {len(found)} of {len(found) + len(missed)} places",
+                f"{percent:.1f} %: {len(found)} of {counted(len(found) + len(missed), 'place')}",
                 self._cells(missed),
             )
         return self
@@ -171,7 +172,7 @@ class Map:
             self._fail(
                 f"at most {at_most:g} % of its cells drawn free or occupied without enough "
                 "evidence from the beams",
-                f"{percent:.1f} %: {len(cells)} of {len(self._said)} cells",
+                f"{percent:.1f} %: {len(cells)} of {counted(len(self._said), 'cell')}",
                 self._cells(cells),
             )
         return self
@@ -193,7 +194,8 @@ class Map:
                     f"at least {at_least:g} % of the cells that are plainly {what}, by what the "
                     f"beams read, drawn as {state.name.lower()}",
                     f"{100.0 - 100.0 * len(other) / len(there):.1f} %: "
-                    f"{len(other)} of {len(there)} are not",
+                    f"{len(other)} of {len(there):,} "
+                    f"{'is' if len(other) == 1 else 'are'} not",
                     self._cells(other),
                 )
         return self
@@ -228,7 +230,7 @@ class Map:
             ]
             self._fail(
                 f"a map that is what its scans say in at least {at_least:g} % of the known cells",
-                f"{percent:.1f} %: {len(differing)} cells differ",
+                f"{percent:.1f} %: {counted(len(differing), 'cell differs', 'cells differ')}",
                 self._cells(differing),
             )
         return self
@@ -371,7 +373,7 @@ def _fill(
     if both:
         raise run.failure(
             "each cell either free or occupied",
-            f"{len(both)} cells are drawn as both",
+            f"{counted(len(both), 'cell is', 'cells are')} drawn as both",
             cells=both,
             cell_cm=grid.cell_cm,
             seconds=seconds,

@@ -13,7 +13,7 @@ from functools import cached_property
 from math import hypot
 from typing import Any
 
-from bugbot.errors import nearest
+from bugbot.errors import counted, nearest
 from bugbot.frames import wrap_heading
 from bugbot.run.outcome import outcome_of
 from bugbot.sim.odometry import Odometry
@@ -332,11 +332,11 @@ class Run:
         """Expect the robot to touch something at most so many times."""
         if self._trace is not None and self.bumps > at_most:
             first = next(self._trace.of_kind("bump"))
-            times = "once" if self.bumps == 1 else f"{self.bumps} times"
+            times = _times(self.bumps)
             raise self.failure(
                 "the robot to touch nothing"
                 if at_most == 0
-                else f"the robot to touch something at most {at_most:g} times",
+                else f"the robot to touch something at most {_times(at_most)}",
                 f"it touched something {times}, first at {first['t']:.1f} s",
                 cells=[(int(first["x"] // 5), int(first["y"] // 5))],
                 seconds=first["t"],
@@ -370,7 +370,7 @@ class Run:
     def scanned(self, at_least: int) -> Run:
         """Expect so many looks with the depth sensor."""
         if len(self.scans) < at_least:
-            raise self.failure(f"at least {at_least} scans", f"{len(self.scans)}")
+            raise self.failure(f"at least {counted(at_least, 'scan')}", f"{len(self.scans)}")
         return self
 
     def pose_at(self, seconds: float) -> tuple[float, float, float]:
@@ -379,3 +379,7 @@ class Run:
             raise AuthorError("pose_at() asks for the path of a run that has none")
         index = bisect_right([pose[0] for pose in self.path], seconds + 1e-9)
         return self.path[max(0, index - 1)][1:]
+
+
+def _times(count: int) -> str:
+    return "once" if count == 1 else f"{count} times"

@@ -157,7 +157,7 @@ def _in_list(data: list[Any], schema: dict[str, Any], path: Path) -> list[tuple[
     fewest, most = schema.get("minItems", 0), schema.get("maxItems", len(data))
     if not fewest <= len(data) <= most:
         wanted = f"{fewest}" if fewest == most else f"at least {fewest}"
-        faults.append((path, f"should have {wanted} items; it has {len(data)}"))
+        faults.append((path, f"should have {wanted} item{'s' * (fewest != 1)}; it has {len(data)}"))
     if schema.get("uniqueItems") and len({json.dumps(each) for each in data}) < len(data):
         faults.append((path, "says the same twice"))
     for index, each in enumerate(data):

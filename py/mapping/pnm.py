@@ -14,7 +14,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from bugbot.errors import WrongValueError
+from bugbot.errors import WrongValueError, counted
 from mapping.image import Image, bits_table, checked_size, image_of, samples_of_16
 
 __all__ = ["KINDS", "read_pnm"]
@@ -71,7 +71,8 @@ def read_pnm(data: bytes) -> Image:
             )
     if len(samples) < wanted:
         raise WrongValueError(
-            f"the {name} file ends after {len(samples) // parts} of {size} pixels: {_AGAIN}"
+            f"the {name} file ends after {len(samples) // parts} of "
+            f"{counted(size, 'pixel')}: {_AGAIN}"
         )
     planes = [samples[i::parts] for i in range(parts)] if parts > 1 else [samples]
     return image_of(width, height, planes, doubts)

@@ -1,6 +1,6 @@
 """What each reader of ROS maps makes of a pixel, and where two of them part.
 
-May import: the standard library, `mapping.image`, `mapping.map_yaml`.
+May import: the standard library, `bugbot.errors`, `mapping.image`, `mapping.map_yaml`.
 
 p says how occupied a pixel is: (255 - grey) / 255, or grey / 255 if negate is set.
 
@@ -30,6 +30,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Literal
 
+from bugbot.errors import counted
 from mapping.image import Image
 from mapping.map_yaml import Mode, Reader, Settings
 
@@ -195,7 +196,8 @@ def _doubtful_settings(image: Image, settings: Settings) -> Iterator[str]:
         name, value = ("free_thresh", free) if cell == 0 else ("occupied_thresh", occupied)
         yield (
             f"with {name} {value:g} the grey 205, which most programs write for unknown, is read "
-            f"as {'free floor' if cell == 0 else 'occupied'} (its p is {p:.3f}): {count:,} cells. "
+            f"as {'free floor' if cell == 0 else 'occupied'} (its p is {p:.3f}): "
+            f"{counted(count, 'cell')}. "
             + (
                 "A free_thresh of 0.196 keeps them unknown"
                 if not settings.negate
@@ -217,7 +219,7 @@ def _doubtful_colours(image: Image, settings: Settings) -> Iterator[str]:
     ]
     if parted:
         grey, ours, theirs = parted[0]
-        more = f", and {len(parted) - 1} more greys" if len(parted) > 1 else ""
+        more = f", and {counted(len(parted) - 1, 'grey')} more" if len(parted) > 1 else ""
         yield (
             f"nav2 itself may read the grey {grey} as {_called(theirs)} where this page says "
             f"{_called(ours)}{more}: it lies on a threshold, and nav2 rounds it"

@@ -17,7 +17,7 @@ from pathlib import Path
 from types import TracebackType
 
 import bugbot
-from bugbot.errors import BugbotError, with_article
+from bugbot.errors import BugbotError, counted, with_article
 from bugbot.run.slips import likely_cause
 from bugbot.run.slips.arguments import plain_arguments
 from bugbot.run.slips.case import Case, lines_of
@@ -159,7 +159,9 @@ _PLAIN: tuple[tuple[type[BaseException], str, str], ...] = (
 def _message(case: Case, error: BaseException) -> str:
     if isinstance(error, BaseExceptionGroup):
         parts = "; ".join(f"{type(each).__name__}: {_text(each)}" for each in error.exceptions)
-        return _short(f"{len(error.exceptions)} errors at once: {parts}", _LONGEST_MESSAGE)
+        return _short(
+            f"{counted(len(error.exceptions), 'error')} at once: {parts}", _LONGEST_MESSAGE
+        )
     plain = next(
         (
             words

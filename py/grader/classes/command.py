@@ -19,6 +19,7 @@ from contextlib import closing
 from pathlib import Path
 from typing import TextIO
 
+from bugbot.errors import counted
 from bugbot.plain_text import plain
 from grader.classes.lanes import by_processes
 from grader.classes.machines import by_machines
@@ -181,7 +182,9 @@ def _about(
     if options.trusted:
         where = "in plain CPython, as files that are trusted"
     folder = plain(str(options.folder), "")
-    lines = [f"{folder}: {len(rows)} of {of} submissions {where}, {seconds:.1f} s: {told}."]
+    lines = [
+        f"{folder}: {len(rows)} of {counted(of, 'submission')} {where}, {seconds:.1f} s: {told}."
+    ]
     if found.left_out:
         lines.append(f"Of other tasks, left out as asked: {found.left_out}.")
     if found.strays:

@@ -1,6 +1,6 @@
 """The marks of a class as one HTML page: to read, to print, to search.
 
-May import: the standard library, `grader.classes`.
+May import: the standard library, `bugbot.errors`, `grader.classes`.
 
 The page is one file without scripts, and its policy lets it load nothing: whatever a learner has
 managed to get into a name or an answer stays text.
@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from html import escape
 from itertools import groupby
 
+from bugbot.errors import counted
 from grader.classes.submissions import Stray
 from grader.classes.summary import STATUSES, TaskTotal
 from grader.classes.work import FAILED_ROW, NOT_MARKED, PASSED_ROW, UNREADABLE, Row
@@ -87,11 +88,11 @@ def _cell(row: Row | None) -> str:
     score = row["score"]
     words = {
         PASSED_ROW: "passed",
-        FAILED_ROW: f"{row['passed']} of {row['of']} checks",
+        FAILED_ROW: f"{row['passed']} of {counted(row['of'], 'check')}",
         UNREADABLE: "unreadable",
         NOT_MARKED: "not marked",
     }[row["status"]]
-    points = "" if score is None else f", {score['value']:g} points of {score['of']:g}"
+    points = "" if score is None else f", {score['value']:g} of {score['of']:g} points"
     return f'<td class="{row["status"].replace(" ", "-")}">{words}{points}</td>'
 
 

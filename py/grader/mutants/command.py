@@ -1,6 +1,6 @@
 """python -m grader mutants: which small changes of the solutions do the checks not notice?
 
-May import: the standard library, `grader.lesson`, `grader.mutants`.
+May import: the standard library, `bugbot.errors`, `grader.lesson`, `grader.mutants`.
 
     python -m grader mutants [LESSON … | LESSON TASK] [--sample N --seed S] [--list] [--json]
 
@@ -16,6 +16,7 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+from bugbot.errors import counted
 from grader.lesson import CourseError, course, shown
 from grader.mutants.mutants import Mutant
 from grader.mutants.study import Study, sample, studies_of, study_all
@@ -114,9 +115,9 @@ def _tell(studies: list[Study], seconds: float) -> None:
     faults = sum(len(study.faults) for study in studies)
     killed = sum(study.killed for study in studies)
     explained = sum(len(study.reasons) for study in studies)
-    also = f", {faults} fault{'s' * (faults != 1)}" if faults else ""
+    also = f", {counted(faults, 'fault')}" if faults else ""
     print(
-        f"\n{total} mutants in {seconds:.0f} s: {killed} killed, {explained} explained, "
+        f"\n{counted(total, 'mutant')} in {seconds:.0f} s: {killed} killed, {explained} explained, "
         f"{opened} open{also}"
     )
 

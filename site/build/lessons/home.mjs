@@ -67,7 +67,7 @@ function courseHtml(lessons) {
       });
       const minutes = about.minutes === null ? "" : `${about.minutes} minutes`;
       const needs = before.length > 0 ? `after ${before.join(", ")}` : "";
-      const count = tasks.size > 0 ? `${tasks.size} tasks` : "";
+      const count = tasks.size > 0 ? `${tasks.size} ${tasks.size === 1 ? "task" : "tasks"}` : "";
       const facts = [minutes, count, needs].filter(Boolean).join(" · ");
       const names = escapeHtml(JSON.stringify([...tasks.keys()]));
       const label = about.code ?? (article ? "Read first" : "");

@@ -2,6 +2,7 @@
  * The part of a lab's menu that is about ROS maps: the one drawn, and one from a file. What does
  * the work is fetched on use. May import `runtime`, `trace`, `views` and `ui`.
  */
+import type { Trace } from "../trace/trace.ts";
 import { mapMenuWords } from "../ui/file-words.ts";
 import { part } from "../ui/part.ts";
 import type { MenuGroup } from "./lab-menu.ts";
@@ -13,10 +14,18 @@ const ENDS = /\.(ya?ml|p[bgpn]m|png|zip|bmp|jpe?g|gif|tiff?|webp)$|(^|\/)\.DS_St
 const ACCEPT = ".yaml,.yml,.pgm,.pbm,.ppm,.pnm,.png,.zip";
 
 export function mapItems(desk: LabDesk, told: (act: () => Promise<void>) => Promise<void>) {
+  let moment = momentOf(desk);
   const group: MenuGroup = {
     title: mapMenuWords.map,
     items: [
-      { label: mapMenuWords.save, act: () => void told(() => save(desk)) },
+      {
+        // Read when the menu is drawn; what it names is what is saved, though the run plays on.
+        get label() {
+          moment = momentOf(desk);
+          return moment.label;
+        },
+        act: () => void told(() => save(desk, moment)),
+      },
       {
         label: mapMenuWords.open,
         act: () =>
@@ -55,12 +64,24 @@ function remove(desk: LabDesk): void {
   desk.say(null);
 }
 
-async function save(desk: LabDesk): Promise<void> {
+/** A moment of the run on show; `at` is null at its end [s]. */
+interface Moment {
+  trace: Trace;
+  time: number;
+  at: number | null;
+  label: string;
+}
+
+function momentOf({ shown: { trace, time } }: LabDesk): Moment {
+  const at = time < trace.duration ? time : null;
+  const label = trace.end ? mapMenuWords.saveAt(at) : mapMenuWords.save;
+  return { trace, time, at, label };
+}
+
+async function save(desk: LabDesk, { trace, time, at }: Moment): Promise<void> {
   const { drawnAt, saveRosMap } = await part(() => import("./ros-map.ts"));
   const { world, seed } = placeOfRun(desk);
-  const { trace, time } = desk.shown;
   const map = drawnAt(trace, time);
   desk.say({ text: mapMenuWords.working });
-  const moment = time < trace.duration ? time : null;
-  desk.say({ text: await saveRosMap(desk.runtime, `${world}-seed-${seed}`, map, moment) });
+  desk.say({ text: await saveRosMap(desk.runtime, `${world}-seed-${seed}`, map, at) });
 }

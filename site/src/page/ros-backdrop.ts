@@ -37,6 +37,7 @@ export function backdropOf(map: OpenedMap, onRemove: () => void): Backdrop {
   return {
     name: rosWords.legend(map.name),
     note: rosWords.note(map),
+    more: rosWords.more(map),
     onRemove,
     paint: (ctx, camera) => {
       if (picture) paint(ctx, camera, map, picture);

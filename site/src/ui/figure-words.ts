@@ -1,8 +1,9 @@
 /**
- * The words of the live figures. Imports nothing of ours.
+ * The words of the live figures. Imports `counted`.
  *
  * The same voice as `strings.ts`: what is so, in plain words, with its unit.
  */
+import { counted } from "./counted.ts";
 
 /** A number with so many digits after its point, a real minus, and a plus where it is asked for. */
 export function signed(value: number, digits: number, plus = ""): string {
@@ -15,10 +16,6 @@ export function signed(value: number, digits: number, plus = ""): string {
 function given(value: number): string {
   const digits = [0, 1].find((few) => Number(value.toFixed(few)) === Number(value.toFixed(2))) ?? 2;
   return signed(value, digits, "+");
-}
-
-function count(number: number, one: string, many = `${one}s`): string {
-  return `${number} ${number === 1 ? one : many}`;
 }
 
 export const beamWords = {
@@ -36,7 +33,7 @@ export const beamWords = {
   bresenham: "Bresenham’s line",
   /** What a rule comes to, beside its name. */
   tally: (cells: number, missed: number, beside: number) =>
-    `${count(cells, "cell")}, ${missed} missed${beside > 0 ? `, ${beside} beside the beam` : ""}`,
+    `${counted(cells, "cell")}, ${missed} missed${beside > 0 ? `, ${beside} beside the beam` : ""}`,
 
   reading: (cm: number) => `The sensor reads ${cm.toFixed(0)} cm.`,
   found: (clear: number) =>
@@ -45,9 +42,9 @@ export const beamWords = {
   nothing: (far: number) =>
     `That is ${far} cm or more, so there is no hit, and the floor counts as free for ${far} cm.`,
   steps: (looks: number, step: number, cells: number, more: string) =>
-    `${count(looks, "look")}, ${step} cm apart, name ${count(cells, "cell")}. ${more}`,
+    `${counted(looks, "look")}, ${step} cm apart, name ${counted(cells, "cell")}. ${more}`,
   line: (cells: number, beside: number, more: string) =>
-    `The line names ${count(cells, "cell")}, each once${beside > 0 ? `, ${beside} of which the beam does not cross` : ""}. ${more}`,
+    `The line names ${counted(cells, "cell")}, each once${beside > 0 ? `, ${beside} of which the beam does not cross` : ""}. ${more}`,
   more: (cells: number, longest: number) => {
     if (cells === 0) return "The beam crosses no others.";
     const most = `${longest.toFixed(1)} cm`;
@@ -81,8 +78,8 @@ export const evidenceWords = {
   controls: "Evidence",
   hit: "Hit",
   pass: "Pass",
-  hits: (times: number) => `${times} hits`,
-  passes: (times: number) => `${times} passes`,
+  hits: (times: number) => counted(times, "hit"),
+  passes: (times: number) => counted(times, "pass", "passes"),
   undo: "Undo",
   again: "Start again",
 
@@ -103,9 +100,9 @@ export const evidenceWords = {
 
   nothingYet: "No evidence yet: the log odds are 0, and the probability of a wall is 0.5.",
   state: (hits: number, passes: number, l: number, p: number, call: string) =>
-    `${count(hits, "hit")} and ${count(passes, "pass", "passes")} come to log odds of ${signed(l, 2)}, a probability of ${p.toFixed(3)}: ${call}.`,
+    `${counted(hits, "hit")} and ${counted(passes, "pass", "passes")} come to log odds of ${signed(l, 2)}, a probability of ${p.toFixed(3)}: ${call}.`,
   held: "That is as far as it goes.",
   undoneBy: (times: number, what: "hit" | "pass") =>
-    `${what === "hit" ? count(times, "hit") : count(times, "pass", "passes")} in a row would undo it.`,
+    `${what === "hit" ? counted(times, "hit") : counted(times, "pass", "passes")} in a row would undo it.`,
   even: "The evidence for a wall and against it is even.",
 };

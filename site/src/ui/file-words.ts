@@ -2,6 +2,7 @@
  * The words for files, links, earlier versions and print; `strings.ts` has the rest and the voice.
  * Imports `dom` for the forms of numbers.
  */
+import { counted } from "./counted.ts";
 import { megabytes } from "./dom.ts";
 
 const size = (bytes: number): string => {
@@ -11,7 +12,7 @@ const size = (bytes: number): string => {
 
 const lines = (text: string): string => {
   const count = text.split("\n").length - (text.endsWith("\n") ? 1 : 0);
-  return count === 1 ? "1 line" : `${count} lines`;
+  return counted(count, "line");
 };
 
 export const menuWords = {
@@ -100,7 +101,7 @@ export const shareWords = {
   notCopied:
     "This browser did not let the page copy. The link is selected: copy it from the field.",
   long: (length: number) =>
-    `The link has ${length.toLocaleString("en-GB")} characters. Some mail and chat programs cut links this long: a file is safer.`,
+    `The link has ${counted(length, "character")}. Some mail and chat programs cut links this long: a file is safer.`,
   save: menuWords.save,
   broken:
     "The program in this link cannot be read: the link is damaged or cut short. Ask for it again, or for the program as a file.",
@@ -124,6 +125,9 @@ export const printWords = {
 export const mapMenuWords = {
   map: "Map",
   save: "Download as ROS map",
+  /** `moment` is the shown one [s], or null at the end of the run. */
+  saveAt: (moment: number | null) =>
+    `Download as ROS map, as at ${moment === null ? "the end of the run" : `${moment.toFixed(1)} s`}`,
   open: "Open a ROS map…",
   remove: "Remove the ROS map",
   working: "Python is making the map…",

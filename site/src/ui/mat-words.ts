@@ -1,12 +1,13 @@
 /**
  * The words of the world editor and of mats that come in files and links; `strings.ts` has the rest
- * and the voice. Imports nothing of ours.
+ * and the voice. Imports `counted`.
  */
+import { counted } from "./counted.ts";
 
 const cm = (value: number): string => String(Math.round(value * 100) / 100);
 const point = (x: number, y: number): string => `(${cm(x)}, ${cm(y)})`;
 const things = (count: number): string =>
-  count === 0 ? "no obstacles" : count === 1 ? "1 obstacle" : `${count} obstacles`;
+  count === 0 ? "no obstacles" : counted(count, "obstacle");
 
 interface Box {
   x: number;
@@ -86,7 +87,7 @@ export const matWords = {
   redone: "Done again.",
   nothingToUndo: "There is nothing to undo.",
   nothingToRedo: "There is nothing to do again.",
-  full: (most: number) => `A mat holds ${most} obstacles at most.`,
+  full: (most: number) => `A mat holds ${counted(most, "obstacle")} at most.`,
   saved: (name: string) =>
     `${name} is saved. Put it into a lesson’s worlds folder, or run a program on it: python -m bugbot run program.py --world ${name}.`,
   opened: (name: string) => `This is the mat of ${name}, kept with yours from now on.`,

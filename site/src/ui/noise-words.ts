@@ -1,7 +1,8 @@
 /**
  * The words of the noise: which seed a run has, many runs of one program, and runs from elsewhere.
- * Imports nothing of ours.
+ * Imports `counted`.
  */
+import { counted } from "./counted.ts";
 
 export const noiseWords = {
   name: "Noise",
@@ -19,7 +20,8 @@ export const repeatWords = {
   /** Where there is little room, the second word is left out. */
   start: (times: number) => `Repeat ${times}`,
   times: "times",
-  help: (times: number) => `Runs the program with ${times} seeds, to tell luck from skill.`,
+  help: (times: number) =>
+    `Runs the program with ${counted(times, "seed")}, to tell luck from skill.`,
   cancel: "Cancel",
   goingOn: "Repeating with other noise…",
   count: (done: number, of: number) => `${done} of ${of}`,
@@ -27,7 +29,7 @@ export const repeatWords = {
   failed: (seed: number) => `Seed ${seed} ended with an error`,
   limit: (seed: number, message: string) => `Seed ${seed}: ${message}`,
   stopped: (seed: number) => `The run with seed ${seed} ended like this, so the rest are left out.`,
-  summary: (runs: number) => (runs === 1 ? "1 run ends at:" : `${runs} runs end at:`),
+  summary: (runs: number) => `${counted(runs, "run ends", "runs end")} at:`,
   line: (name: string, median: string, low: string, high: string) =>
     `${name}: median ${median}, from ${low} to ${high}`,
 };

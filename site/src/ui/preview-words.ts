@@ -1,7 +1,5 @@
-/** The words of the authors' page, which only the development server has. Imports nothing of ours. */
-
-const counted = (count: number, one: string, many = `${one}s`): string =>
-  `${count} ${count === 1 ? one : many}`;
+/** The words of the authors' page, which only the development server has. Imports `counted`. */
+import { counted } from "./counted.ts";
 
 const list = new Intl.ListFormat("en-GB");
 

@@ -1,6 +1,5 @@
 /** The words for what is kept of a learner's progress; `strings.ts` has the rest and the voice. */
-
-const tasks = (count: number): string => (count === 1 ? "1 task" : `${count} tasks`);
+import { counted } from "./counted.ts";
 
 export const progressWords = {
   region: "Your progress",
@@ -13,7 +12,7 @@ export const progressWords = {
   opened: (added: number) =>
     added === 0
       ? "Everything in the file was here already."
-      : `The file is in: ${tasks(added)} further than before. Nothing that was here is lost.`,
+      : `The file is in: ${counted(added, "task")} further than before. Nothing that was here is lost.`,
   cleared: "The progress kept on this device is gone. Your programs are still here.",
   back: "Your progress is back.",
   notKept:

@@ -1,6 +1,7 @@
 /**
- * The words of a results card. `strings.ts` has the voice. Imports nothing of ours.
+ * The words of a results card. `strings.ts` has the voice. Imports `counted`.
  */
+import { counted } from "./counted.ts";
 
 const day = (at: number): string =>
   new Date(at).toLocaleDateString("en-GB", { day: "numeric", month: "long", year: "numeric" });
@@ -21,16 +22,16 @@ export const resultsWords = {
   less: (by: number) => `${number(by, 1)} less than last time.`,
   unchanged: "The same as last time.",
   kept: (kept: number, of: number) =>
-    kept === of
+    kept === of && of > 1
       ? `All ${of} runs keep to the limits.`
-      : `${kept} of ${of} runs keep to the limits.`,
+      : `${kept} of ${counted(of, "run keeps", "runs keep")} to the limits.`,
   how: "What counts",
   mat: (title: string) => `Mat “${title}”`,
   truth: "What is really there",
   truthOf: (title: string) => `The mat “${title}” as it really is`,
   seed: (seed: number) => `Seed ${seed}`,
   mapOf: (seed: number, share: Shares) =>
-    `Your map with seed ${seed}: ${number(share.free, 0)} % free, ${number(share.occupied, 0)} % occupied, ${number(share.unknown, 0)} % unknown${share.wrong === 0 ? "" : `; ${share.wrong} cells are wrong`}`,
+    `Your map with seed ${seed}: ${number(share.free, 0)} % free, ${number(share.occupied, 0)} % occupied, ${number(share.unknown, 0)} % unknown${share.wrong === 0 ? "" : `; ${counted(share.wrong, "cell is", "cells are")} wrong`}`,
   noMap: "No map was drawn.",
   keeps: "Keeps to the limits",
   breaks: "Does not keep to the limits",

@@ -1,6 +1,7 @@
 /**
- * The words of ROS maps. `strings.ts` has the voice. Imports nothing of ours.
+ * The words of ROS maps. `strings.ts` has the voice. Imports `counted`.
  */
+import { counted } from "./counted.ts";
 
 interface Reach {
   x: readonly [number, number];
@@ -17,6 +18,21 @@ function placed(name: string, { x, y, onMat }: Reach): string {
   return `${here} Only a part of it is shown: ${extent}.`;
 }
 
+interface Size {
+  width: number;
+  height: number;
+  /** Side of a cell [m]. */
+  resolution: number;
+}
+
+interface Rules {
+  mode: string;
+  negate: boolean;
+  occupied_thresh: number;
+  free_thresh: number;
+  doubts: readonly string[];
+}
+
 const sentence = (text: string): string => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
 
 const percent = (share: number): string => String(Number((100 * share).toFixed(1)));
@@ -28,7 +44,7 @@ export const rosWords = {
     { free, occupied, unknown }: { free: number; occupied: number; unknown: number },
     moment: number | null,
   ) =>
-    `${file} has the map as it is at ${moment === null ? "the end of the run" : `${moment.toFixed(1)} s`}, and its YAML file: ${free} cells free, ${occupied} occupied, ${unknown} unknown.`,
+    `${file} has the map as it is at ${moment === null ? "the end of the run" : `${moment.toFixed(1)} s`}, and its YAML file: ${counted(free, "cell is", "cells are")} free, ${occupied} occupied, ${unknown} unknown.`,
   noMap:
     "There is no map to take away at this moment: draw its cells as squares, in a layer named “free” and one named “occupied”.",
   mixed: (free: number, occupied: number) =>
@@ -42,19 +58,13 @@ export const rosWords = {
   opened: (name: string, reach: Reach, doubts: readonly string[]) =>
     [placed(name, reach), ...doubts.map(sentence)].join(" "),
   legend: (name: string) => `map ${name}`,
-  note: (map: {
-    width: number;
-    height: number;
-    resolution: number;
-    mode: string;
-    doubts: readonly string[];
-    negate: boolean;
-    occupied_thresh: number;
-    free_thresh: number;
-  }) =>
-    `${map.width} × ${map.height} cells of ${Number((100 * map.resolution).toFixed(2))} cm; ${map.mode}${
-      map.mode === "raw"
-        ? ""
-        : `, occupied from ${percent(map.occupied_thresh)}\u00a0%, free to ${percent(map.free_thresh)}\u00a0%${map.negate ? ", negated" : ""}`
-    }${map.doubts.map((doubt) => `. ${sentence(doubt).slice(0, -1)}`).join("")}`,
+  note: ({ width, height, resolution }: Size) =>
+    `${width.toLocaleString("en-GB")} × ${counted(height, "cell")} of ${Number((100 * resolution).toFixed(2))} cm`,
+  more: ({ mode, negate, occupied_thresh: occupied, free_thresh: free, doubts }: Rules) => {
+    const rules =
+      mode === "raw"
+        ? "its values are the cells themselves"
+        : `occupied from ${percent(occupied)}\u00a0%, free to ${percent(free)}\u00a0%${negate ? ", with black for free" : ""}`;
+    return [sentence(`read as ${mode}: ${rules}`), ...doubts.map(sentence)].join(" ");
+  },
 };

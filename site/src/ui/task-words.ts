@@ -1,12 +1,10 @@
 /**
  * The words of tasks: marks, hints, solutions. `strings.ts` has the rest and the voice.
- * Imports nothing of ours.
+ * Imports `counted`.
  */
+import { counted } from "./counted.ts";
 
 const key = /Mac|iPhone|iPad/.test(globalThis.navigator?.userAgent ?? "") ? "⌘" : "Ctrl+";
-
-const counted = (count: number, one: string, many: string): string =>
-  `${count} ${count === 1 ? one : many}`;
 
 export const taskWords = {
   place: (number: number, of: number) => `Task ${number} of ${of}`,
@@ -63,7 +61,7 @@ export const whereWords = {
   onWorld: (title: string) => `On “${title}”`,
   atTime: (seconds: number) => ` at ${seconds.toFixed(1)} s`,
   atEnd: " at the end of the run",
-  cells: (count: number) => `, ${counted(count, "cell", "cells")} outlined.`,
+  cells: (count: number) => `, ${counted(count, "cell")} outlined.`,
   noCells: ".",
   cellList: (cells: readonly (readonly [number, number])[], most: number) =>
     `Cells (column, row): ${cells

@@ -1,14 +1,14 @@
 /**
- * The words of the overhead view, the chart and the console. Imports nothing of ours but `dom`.
+ * The words of the overhead view, the chart and the console. Imports `counted` and `dom`.
  *
  * The same voice as `strings.ts`: what is so, in plain words, with its unit.
  */
+import { counted } from "./counted.ts";
 import { seconds } from "./dom.ts";
 
 /** A length in cm as people write it: 127.5, 100. */
 const cm = (value: number): string => String(Math.round(value * 10) / 10);
 const point = (x: number, y: number): string => `(${cm(x)}, ${cm(y)}) cm`;
-const beams = (count: number): string => `${count} ${count === 1 ? "beam" : "beams"}`;
 
 const DID = { passed: "passed", ended: "ended here", close: "ended just behind it" };
 
@@ -36,7 +36,7 @@ export const overheadWords = {
   clear: (distance: number) => `nothing within ${distance} cm ahead`,
 
   pointedOut: (cells: readonly (readonly [x: number, y: number])[], all: number) =>
-    `pointed out: ${all === 1 ? "the cell" : `${all} cells,`} ${all > cells.length ? "with those " : ""}at ${cells.map(([x, y]) => point(x, y)).join(", ")}`,
+    `pointed out: ${all === 1 ? "the cell" : `${counted(all, "cell")},`} ${all > cells.length ? "with those " : ""}at ${cells.map(([x, y]) => point(x, y)).join(", ")}`,
 
   /** Of a cell. */
   cell: (x: number, y: number) => `Cell ${point(x, y)}`,
@@ -46,7 +46,7 @@ export const overheadWords = {
   isThing: (name: string) => `really the ${name}`,
   untouched: "No beam of this run has touched it so far.",
   evidence: (passed: number, ended: number, close: number) =>
-    `So far ${beams(passed)} passed through it and ${ended || "none"} ended in it${
+    `So far ${counted(passed, "beam")} passed through it and ${ended || "none"} ended in it${
       close > 0
         ? `; ${close} more ended just behind it, and by the lessons' rule ${close === 1 ? "says" : "say"} nothing about it`
         : ""
@@ -61,12 +61,13 @@ export const chartWords = {
   none: "–",
   more: (count: number) => `and ${count} more`,
   earlier: "thin: the run before",
-  runs: (count: number) => `band: ${count} runs, their median in the middle`,
+  runs: (count: number) => `band: ${counted(count, "run")}, their median in the middle`,
   moment: (lines: number, t: number) =>
-    `${lines === 1 ? "1 line" : `${lines} lines`} against time, shown at ${seconds(t)}`,
+    `${counted(lines, "line")} against time, shown at ${seconds(t)}`,
   table: "Values as a table",
   time: "time",
-  skipped: (shown: number, all: number) => `${shown} of ${all} times; the CSV file has them all.`,
+  skipped: (shown: number, all: number) =>
+    `${shown} of ${counted(all, "time")}; the CSV file has them all.`,
 };
 
 export const consoleWords = {
@@ -75,6 +76,5 @@ export const consoleWords = {
   error: "error output",
   noteTag: "note",
   note: (line: number, text: string) => `Line ${line}: ${text}`,
-  left: (lines: number) =>
-    `${lines.toLocaleString("en-GB")} earlier ${lines === 1 ? "line" : "lines"} left out`,
+  left: (lines: number) => `${counted(lines, "earlier line")} left out`,
 };

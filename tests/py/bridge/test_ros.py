@@ -161,7 +161,7 @@ def test_a_name_may_have_signs_that_yaml_knows(name: str) -> None:
         (
             {"room.yaml": YAML.replace("0.196", "0.25").encode(), "room.pgm": PGM},
             "the grey 205, which most programs write for unknown, is read as free floor "
-            "(its p is 0.196): 1 cells",
+            "(its p is 0.196): 1 cell",
         ),
     ],
 )

@@ -86,6 +86,7 @@ def test_near_wants_a_number() -> None:
             ("[0, 0, 0, 0, 0, 0, 0, 0]", "[0, 0, 0, 0, 0, 0, 0, 1]"),
         ),
         (exactly, [0] * 9, [0] * 8 + [1], ("item 8 (counted from 0) is 0", "it is 1")),
+        (exactly, [0] * 9, [0], ("9 items: [0] * 9", "1 item: [0]")),
         (exactly, [0] * 9, [0] * 10, ("9 items: [0] * 9", "10 items: [0] * 10")),
         (
             in_any_order,

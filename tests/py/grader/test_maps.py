@@ -161,7 +161,7 @@ def test_what_is_plain_has_to_be_drawn() -> None:
     assert whole.plain(floor_at_least=100, walls_at_least=100) is whole
     with pytest.raises(CheckFailed) as caught:
         of_ups(6, r10=F, r11=F, r13=F, r14=F, r16=O).plain(90, 100)
-    assert caught.value.got == "80.0 %: 1 of 5 are not"
+    assert caught.value.got == "80.0 %: 1 of 5 is not"
     assert (caught.value.where or {})["cells"] == [(10, 12)]
     with pytest.raises(CheckFailed, match="plainly wall"):
         of_ups(6, r10=F, r11=F, r12=F, r13=F, r14=F, r16=F).plain(100, 1)
@@ -189,6 +189,13 @@ def test_walls_are_found_if_they_are_black_within_a_cell(
         assert caught.value.got == "50.0 %: 1 of 2 places"
         assert (caught.value.where or {})["cells"] == [(10, 18)]
     assert drawn.walls_found(at_least=50) is drawn
+
+
+def test_one_cell_is_told_in_the_singular() -> None:
+    run = Seen()
+    with pytest.raises(CheckFailed) as caught:
+        small(F, F, O, U, run=run).agrees(small(F, F, O, F, run=run), at_least=99)
+    assert caught.value.got == "75.0 %: 1 cell differs"
 
 
 def test_where_two_maps_differ_is_told() -> None:

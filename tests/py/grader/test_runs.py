@@ -79,13 +79,13 @@ def test_an_expectation_that_is_met(expectation: str, program: str) -> None:
             "run.map().wrong_walls(at_most=10)",
             f"scan()\n{SQUARES}{WALL.replace('152.5', '102.5')}",
             "at most 10 % of the occupied cells more than a cell from anything real",
-            "100.0 %: 1 of 1 cells",
+            "100.0 %: 1 of 1 cell",
         ),
         (
             "run.map().wrong_floor(at_most=10)",
             f"scan()\n{SQUARES.replace('62.5', '152.5')}{WALL.replace('102.5', '107.5')}",
             "at most 10 % of the free cells inside something solid",
-            "100.0 %: 1 of 1 cells",
+            "100.0 %: 1 of 1 cell",
         ),
         ("run.map().cells_of(10)", MAP, "cells of 10 cm", "cells of 5 cm"),
         ('run.map().cell(101, 61, "occupied")', MAP, "the cell at (101, 61) occupied", "free"),
@@ -126,7 +126,7 @@ def test_an_expectation_that_is_met(expectation: str, program: str) -> None:
             "run.map()",
             MAP.replace("152.5", "62.5"),
             "each cell either free or occupied",
-            "1 cells are drawn as both",
+            "1 cell is drawn as both",
         ),
         ('run.layer("goal")', MAP, 'a layer named "goal"', 'the layers drawn are: "free"'),
         (
@@ -179,6 +179,7 @@ def test_an_expectation_that_is_met(expectation: str, program: str) -> None:
             "it touched something once, first at 3.1",
         ),
         ("run.took(at_most=1)", "wait(2)", "a run of at most 1 s", "2.0 s"),
+        ("run.scanned(at_least=1)", "wait(2)", "at least 1 scan", "0"),
         ("run.scanned(at_least=2)", "scan()", "at least 2 scans", "1"),
         (
             'task.near(run.seconds, 3, 0.5, "the time", run=run)',

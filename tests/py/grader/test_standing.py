@@ -48,7 +48,7 @@ def test_a_sound_course_is_counted_on_the_command_line(
     out = capsys.readouterr().out
     row = next(line for line in out.splitlines() if line.startswith("one-step")).split()
     assert row[1:7] == ["2", "5", "2", "12", "48", "8"]
-    assert "1 lessons in" in out
+    assert "1 lesson in" in out
     assert "all is well" in out
 
 

@@ -203,7 +203,7 @@ def test_without_a_map_its_figures_are_there_with_their_limits() -> None:
         (
             drawn(occupied="[(102.5, 57.5)]"),
             "at most 10 % of the occupied cells more than a cell from anything real",
-            "100.0 %: 1 of 1 cells (seed 1)",
+            "100.0 %: 1 of 1 cell (seed 1)",
         ),
         (
             drawn(free="[(102.5, 52.5), (102.5, 152.5)]"),

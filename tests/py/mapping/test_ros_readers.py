@@ -75,7 +75,7 @@ def test_where_nav2_makes_it_otherwise_there_is_a_word(name: str) -> None:
             205,
             "the grey 205, which most programs write for unknown, is read as free floor",
         ),
-        (0.196, 1, 205, "is read as occupied (its p is 0.804): 1 cells. negate: 0 is usual"),
+        (0.196, 1, 205, "is read as occupied (its p is 0.804): 1 cell. negate: 0 is usual"),
         (0.196, 0, 205, None),
         (0.25, 0, 254, None),
     ],

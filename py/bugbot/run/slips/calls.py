@@ -84,7 +84,8 @@ def _unpacked_wrongly(case: Case) -> str | None:
     found = re.search(r"expected (at least )?(\d+)(?:, got (\d+))?", case.message)
     if found:
         if found[1]:
-            return f"The names on the left want at least {found[2]} values and get {found[3]}."
+            least = f"{found[2]} value{'' if found[2] == '1' else 's'}"
+            return f"The names on the left want at least {least} and get {found[3]}."
         names = f"{found[2]} name{'' if found[2] == '1' else 's'}"
         if not found[3]:  # before Python 3.14 it does not count them
             return f"There are more values than the {names} on the left."

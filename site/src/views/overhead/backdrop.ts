@@ -7,8 +7,10 @@ import type { Camera } from "./camera.ts";
 export interface Backdrop {
   /** As the legend names it. */
   name: string;
-  /** What there is to know of it, in a sentence. */
+  /** What it is, in a few words. */
   note: string;
+  /** What else there is to know of it, in sentences. */
+  more: string;
   paint(ctx: CanvasRenderingContext2D, camera: Camera): void;
   onRemove(): void;
 }

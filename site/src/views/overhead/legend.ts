@@ -80,20 +80,23 @@ export function legend(of: Legend): TemplateResult {
 }
 
 /** What lies under the layers, what there is to know of it, and the way to be rid of it. */
-function under({ name, note, onRemove }: Backdrop, of: Legend): TemplateResult {
-  return html`${key({
-    swatch: backdropSwatch,
-    name,
-    count: null,
-    shown: of.backdropShown,
-    toggle: of.onBackdrop,
-  })}
-    <span class="overhead-key overhead-note">
-      ${note}
-      <button type="button" aria-label=${words.removeOf(name)} @click=${onRemove}>
-        ${words.remove}
-      </button>
-    </span>`;
+function under({ name, note, more, onRemove }: Backdrop, of: Legend): TemplateResult {
+  return html`<div class="overhead-under">
+    ${key({
+      swatch: backdropSwatch,
+      name,
+      count: null,
+      shown: of.backdropShown,
+      toggle: of.onBackdrop,
+    })}
+    <details>
+      <summary>${note}</summary>
+      <p>${more}</p>
+    </details>
+    <button type="button" class="link" aria-label=${words.removeOf(name)} @click=${onRemove}>
+      ${words.remove}
+    </button>
+  </div>`;
 }
 
 interface Key {
