@@ -136,6 +136,8 @@ class Trace:
         """Rough size so far, for the limit; counts what has been taken as well."""
         self.bytes_of = {"scan": 0, "print": 0, "layer": 0}
         """How much of it these take."""
+        self.moves: list[Any] | None = None
+        """How the robot was driven, if a marking wants to drive it again: see `Simulator`."""
         self._quantise = _Quantiser()
         self._drawn: dict[str, tuple[bytes, int]] = {}
         self._taken_points = 0

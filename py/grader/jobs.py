@@ -3,16 +3,20 @@
 May import: the standard library, `bugbot.worlds`, `bugbot.errors`, `grader.failures`,
 `grader.text`, `performer.limits`, `performer.values`.
 
-    job      {"id", "kind": "run", "world": {…}, "seed", "limits": {…}}
+    job      {"id", "kind": "run", "world": {…}, "seed", "number": the seed as the check names it,
+              "limits": {…}}
              {"id", "kind": "calls", "limits",
               "groups": [{"world", "seed", "constants": {name: value}, "calls": […]}, …]}
-    result   {"id", "trace": {"events", "points"} | null, "outcome" | null,
+    result   {"id", "trace": {"events", "points", "moves"} | null, "outcome" | null,
               "answers": [[answer, …] or …] | null, "died": null | "time" | "crash" | text}
 
 A group is what one check asks of the learner's functions: the program is run anew for it and
 its calls are made in order. All groups of a check.py go into one job. The job's id is made of
 its groups' ids, and those of their contents: so a judge that starts again from nothing finds
 the answers by itself.
+
+The seeds are not those that a check names: a number made of the submission's text is added. The
+same file always has the same mark, and a table of what one run has read fits no other.
 """
 
 from __future__ import annotations
@@ -64,7 +68,8 @@ class Desk:
     lesson   {"slug": …, "worlds": {name: world}}: the lesson's own worlds
     results  of the jobs done so far
     shift    added to every seed: the standing check marks solutions on other noise
-    source   the learner's program, for causes that its text may contradict
+    source   the learner's program: its noise comes from its text, and no cause may contradict that
+    noise    added to every seed as well, and to what chance draws: a number made of the program
     """
 
     def __init__(
@@ -76,6 +81,7 @@ class Desk:
     ) -> None:
         self.shift = shift
         self.source = source
+        self.noise = _noise_of(source.program)
         self._own_worlds: dict[str, Any] = lesson.get("worlds") or {}
         self._results = {str(each.get("id")): each for each in results if isinstance(each, dict)}
         self._jobs: dict[str, dict[str, Any]] = {}
@@ -98,13 +104,18 @@ class Desk:
         meant = f" (did you mean {near!r}?)" if near else ""
         raise AuthorError(f"there is no world {got(name)}{meant}; there are {', '.join(known)}")
 
+    def seed(self, number: int) -> int:
+        """The seed that stands for the one a check names, for this submission."""
+        return number + self.shift + self.noise
+
     def run(self, world: str, seed: int, seconds: float) -> tuple[dict[str, Any], dict[str, Any]]:
         """The job of a run and its result; raises NeedsJob if that is not there yet."""
         limits = {**RUN_LIMITS, "simulated_s": float(seconds)}
         job: dict[str, Any] = {
             "kind": "run",
             "world": self.world(world),
-            "seed": seed + self.shift,
+            "seed": self.seed(seed),
+            "number": seed,
             "limits": limits,
         }
         job_id = job["id"] = f"run-{_digest(job)}"
@@ -146,6 +157,24 @@ class Desk:
         except NeedsJob:
             return False
         return True
+
+
+_NOISES = 1_000_000
+"""So many submissions can have noises of their own."""
+
+
+def _noise_of(program: str) -> int:
+    """The same for the same text, another for any other: what was read once is no use again.
+
+    How a file ends its lines, a byte-order mark and empty lines at the end are no part of the text.
+    """
+    text = "\n".join(program.removeprefix("\ufeff").splitlines()).rstrip("\n")
+    digest = hashlib.sha256(text.encode("utf-8", "surrogatepass"))
+    return int.from_bytes(digest.digest()[:8], "big") % _NOISES * _APART
+
+
+_APART = 100
+"""Between the seeds of one submission and the next: a check names seeds below this."""
 
 
 def died_of(result: dict[str, Any]) -> str | None:

@@ -123,7 +123,7 @@ class Run:
     @property
     def place(self) -> dict[str, Any]:
         """Where it was made, as a mark says it."""
-        return {"world": self._job["world"], "seed": self._job["seed"], "job": self._job["id"]}
+        return {"world": self._job["world"], "seed": self._job["number"], "job": self._job["id"]}
 
     def must_have_ended(self) -> None:
         """Refuse a run that did not come to its end, or can't have been."""

@@ -28,11 +28,11 @@ _NO_WORLD = "empty"
 class Task:
     """One check at work. Calls are gathered and judged at its end; runs at once.
 
-    random  a generator of its own: the same for every learner, another for each check
+    random  a generator of its own: the same for the same program, another for each check
     """
 
     def __init__(self, check: Check, desk: Desk) -> None:
-        self.random = Random(f"{check.title}:{desk.shift}")
+        self.random = Random(f"{check.title}:{desk.shift}:{desk.noise}")
         self._desk = desk
         self._plans: list[tuple[Group, list[Step]]] = []
         self._constants: dict[str, Any] = {}
@@ -95,7 +95,7 @@ class Task:
 
     def _add(self, step: Step, world: str, seed: int) -> None:
         data = self._desk.world(world)
-        at = seed + self._desk.shift
+        at = self._desk.seed(seed)
         wanted = (data, at, self._constants)
         plan = next(
             (

@@ -14,7 +14,6 @@ import json
 import sys
 from array import array
 from base64 import b64decode
-from math import isfinite
 from typing import Any
 
 from bugbot.trace import KINDS, Event, Trace
@@ -25,10 +24,16 @@ __all__ = ["trace_from"]
 _TEXTS = {"name", "colour", "shape", "stream", "text", "type", "message", "traceback", "status"}
 _WHOLE = {"first", "count", "red", "green", "blue"}
 _MOST_EVENTS = 2_000_000
+_LARGEST = 1e300
+_LOOKS = (1, 8)
+"""Beams of a look."""
 
 
 def trace_from(data: Any, world: dict[str, Any], seed: int, longest_s: float) -> Trace:
-    """The trace of {"events": JSON text of the rows, "points": base64}; MalformedError if none."""
+    """The trace of {"events": JSON text of the rows, "points": base64, "moves"}.
+
+    Raises MalformedError if it is none.
+    """
     try:
         rows = json.loads(data["events"])
         points = array("h")
@@ -41,6 +46,7 @@ def trace_from(data: Any, world: dict[str, Any], seed: int, longest_s: float) ->
         raise MalformedError("the trace has no list of events")
     trace = Trace("", world, seed)
     trace.points = points
+    trace.moves = _moves(data.get("moves"), longest_s)
     before = 0.0
     for row in rows:
         event = _event(row, len(points) // 2)
@@ -51,6 +57,20 @@ def trace_from(data: Any, world: dict[str, Any], seed: int, longest_s: float) ->
     if not trace.events or trace.events[-1][0] != "end":
         raise MalformedError("the trace does not end with an end")
     return trace
+
+
+def _moves(rows: Any, longest_s: float) -> list[Any]:
+    """How the robot was driven: stretches of time, none longer than a run may be, and looks."""
+    if not isinstance(rows, list) or len(rows) > _MOST_EVENTS:
+        raise MalformedError("the trace does not say how the robot was driven")
+    for row in rows:
+        if type(row) is int and row in _LOOKS:
+            continue
+        if not (isinstance(row, list) and len(row) == 5 and all(map(_is_number, row[:4]))):
+            raise MalformedError("a move is none")
+        if type(row[4]) is not bool or not 0 <= row[3] <= longest_s:
+            raise MalformedError("a move is none")
+    return rows
 
 
 def _event(row: Any, points: int) -> Event:
@@ -83,4 +103,4 @@ def _sound(kind: str, field: str, value: Any) -> bool:
 
 
 def _is_number(value: Any) -> bool:
-    return type(value) in (int, float) and isfinite(value)
+    return type(value) in (int, float) and -_LARGEST < value < _LARGEST

@@ -1,91 +1,122 @@
-"""A trace held against the truth: could the robot have done and seen this?
+"""A trace held against the truth: is it what the robot did and saw?
 
-May import: the standard library, `bugbot.frames`, `bugbot.sim`, `bugbot.trace`,
-`bugbot.worlds`, `grader.failures`.
+May import: the standard library, `bugbot.frames`, `bugbot.sim`, `bugbot.trace`, `bugbot.worlds`.
 
 A program that gets behind the robot's calls can put the robot anywhere, take the noise
-off its sensor, or write a trace of its own. None of that goes unseen:
+off its sensor, wipe out that it ran into something, or write a trace of its own. None of that goes
+unseen: the run is made once more, here, from nothing but the moves that were asked for. The
+simulator gives the same run from the same world, seed and moves, so each pose, each reading and
+each bump has to be there, in this order and at these times; all that the program drew or wrote
+must have come at a moment when it could, and the run ends when its moves do.
 
-* The robot starts where the world says, is never nearer to anything than its radius, and moves
-  and turns no faster than it can in that world. A moving robot is recorded every 0.04 s, so it
-  can't jump through a wall between two records.
-* Each reading is the one that the simulator gives at that place with this seed. The noise comes
-  from one generator, so the readings can simply be made once more.
+So whoever makes up a run has to make up one that the robot can make, and that is a run.
 """
 
 from __future__ import annotations
 
 from math import hypot
+from typing import Any
 
-from bugbot.frames import MAT_CM, ROBOT_RADIUS_CM, turn_between
-from bugbot.sim.depth import AHEAD, BEAMS, distances, read
-from bugbot.sim.motion import SPEED_CM_S, SPIN_DEG_S
-from bugbot.sim.noise import generator
-from bugbot.sim.world import boxes_of
-from bugbot.trace import Trace
+from bugbot.frames import turn_between
+from bugbot.sim.simulator import Simulator
+from bugbot.trace import Event, Trace
 from bugbot.worlds import World
 
 __all__ = ["doubt"]
 
-_FASTEST_CM_S = SPEED_CM_S * 2**0.5
-"""Ahead and sideways at once."""
+Doubt = tuple[str, float]
 
-_RECORDED_EVERY_S = 0.04
-_SLACK = 1e-4
-"""Poses are kept to 1e-9, and the first touch of a wall is as near as 1e-7 [cm, degrees]."""
+_SLACK = 1e-6
+"""Poses and times are kept to 1e-9, and engines agree on them [cm, degrees, s]."""
 
 _READING_SLACK_CM = 0.11
 """Readings are whole millimetres; engines may round a tie either way."""
 
+_SIMULATED = ("pose", "scan", "bump")
 
-def doubt(trace: Trace, world: World) -> tuple[str, float] | None:
+
+def doubt(trace: Trace, world: World) -> Doubt | None:
     """Why this can't be what the robot did, and when [s]; None if all is well."""
-    return _about_motion(trace, world) or _about_readings(trace, world)
+    if trace.moves is None:
+        return "there is no record of how the robot was driven", 0.0
+    end = trace.events[-1][1] if trace.events else 0.0
+    again = Trace("", world.to_dict(), trace.header["seed"])
+    moments = _drive(Simulator(world, trace.header["seed"], again), trace.moves, end)
+    return _about_record(trace, again.events) or _about_moments(trace, moments)
 
 
-def _about_motion(trace: Trace, world: World) -> tuple[str, float] | None:
-    start = world.start
-    t, x, y, heading = 0.0, start.x, start.y, start.heading
-    fastest_cm_s = _FASTEST_CM_S * (1.0 - world.odometry.slip)
-    spin_deg_s = SPIN_DEG_S * world.odometry.turn_scale
-    for event in trace.events:
-        if event[0] not in ("pose", "scan"):
-            continue
-        now, next_x, next_y, next_heading = event[1:5]
-        if (next_x, next_y, next_heading) != (x, y, heading):
-            passed = now - t
-            moved = hypot(next_x - x, next_y - y)
-            turned = abs(turn_between(heading, next_heading))
-            if moved > fastest_cm_s * passed + _SLACK or turned > spin_deg_s * passed + _SLACK:
-                return "the robot is somewhere it can't have driven or turned to in the time", now
-            if passed > _RECORDED_EVERY_S + _SLACK:
-                return "the record of its movement has a gap", now
-            if not _is_clear(world, next_x, next_y):
-                return "the robot is inside something solid", now
-        t, x, y, heading = now, next_x, next_y, next_heading
+def _drive(sim: Simulator, moves: list[Any], end: float) -> set[float]:
+    """Make the moves, as far as the run goes; the moments between them."""
+    moments = {sim.t}
+    for move in moves:
+        if sim.t > end + _SLACK:
+            break
+        if move == 1:
+            sim.distance()
+        elif isinstance(move, int):
+            sim.scan()
+        else:
+            forward, right, turn, seconds, until_blocked = move
+            sim.drive(forward, right, turn)
+            sim.advance(seconds, until_blocked)
+            moments.add(sim.t)
+    sim.finish()
+    return moments
+
+
+def _about_record(trace: Trace, true: list[Event]) -> Doubt | None:
+    """What parts the record from the run that its moves make."""
+    claimed = [event for event in trace.events if event[0] in _SIMULATED]
+    for event, real in zip(claimed, true, strict=False):
+        found = _parts(event, real)
+        if found is not None:
+            return found, event[1]
+    if len(claimed) == len(true):
+        return None
+    more = (claimed if len(claimed) > len(true) else true)[min(len(claimed), len(true))]
+    return _missing(more), more[1]
+
+
+def _parts(event: Event, real: Event) -> str | None:
+    if event[0] != real[0]:
+        return _missing(event if "bump" not in (event[0], real[0]) else ("bump",))
+    if abs(event[1] - real[1]) > _SLACK:
+        return "the robot is somewhere it can't have driven or turned to in the time"
+    if hypot(event[2] - real[2], event[3] - real[3]) > _SLACK:
+        if event[0] == "bump":
+            return _missing(event)
+        return "the robot is somewhere it can't have driven or turned to in the time"
+    if event[0] == "bump":
+        return None
+    if abs(turn_between(event[4], real[4])) > _SLACK:
+        return "the robot is somewhere it can't have driven or turned to in the time"
+    if event[0] == "scan":
+        return _about_beams(event[5], real[5])
     return None
 
 
-def _is_clear(world: World, x: float, y: float) -> bool:
-    low, high = ROBOT_RADIUS_CM - _SLACK, MAT_CM - ROBOT_RADIUS_CM + _SLACK
-    if not (low <= x <= high and low <= y <= high):
-        return False
-    return all(each.gap(x, y) >= low for each in world.obstacles)
+def _about_beams(read: list[float], real: list[float]) -> str | None:
+    if read[::2] != real[::2]:
+        return "its sensor has looked where it has no beams"
+    for reading, true in zip(read[1::2], real[1::2], strict=True):
+        if abs(reading - true) > _READING_SLACK_CM:
+            return "its sensor has read what it can't read there"
+    return None
 
 
-def _about_readings(trace: Trace, world: World) -> tuple[str, float] | None:
-    boxes = boxes_of(world)
-    chance = generator(trace.header["seed"], "depth")
+def _missing(event: Event) -> str:
+    return {
+        "pose": "the record of its movement has a gap",
+        "scan": "the record of its looks is not that of the sensor",
+        "bump": "the record of what it ran into has been changed",
+    }[event[0]]
+
+
+def _about_moments(trace: Trace, moments: set[float]) -> Doubt | None:
+    """Something told at a time when no program can have told it, or an end before the end."""
     for event in trace.events:
-        if event[0] != "scan":
-            continue
-        t, x, y, heading, flat = event[1:]
-        beams = AHEAD if len(flat) == 2 else BEAMS
-        angles = [beam[0] for beam in beams]
-        if flat[::2] != angles:
-            return "its sensor has looked where it has no beams", t
-        true = distances(boxes, x, y, heading, beams)
-        for cm, reading in zip(true, flat[1::2], strict=True):
-            if abs(read(cm, chance) - reading) > _READING_SLACK_CM:
-                return "its sensor has read what it can't read there", t
+        if event[0] not in _SIMULATED and event[1] not in moments:
+            return f"the record has an event ({event[0]}) from when no program was asked", event[1]
+    if trace.events and abs(trace.events[-1][1] - max(moments)) > _SLACK:
+        return "the run ends before its last move does, or after it", trace.events[-1][1]
     return None

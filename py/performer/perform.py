@@ -72,12 +72,18 @@ def _run(job: dict[str, Any], program: str, on_flush: Callable[[], None] | None)
         job["seed"],
         limits=_limits(job),
         filename=PROGRAM,
+        trace_ready=_keep_moves,
         on_flush=on_flush,
     )
     end = _end_of(trace)
+    moves = trace.moves
     events, points = trace.take()
-    record = {"events": events, "points": b64encode(points).decode("ascii")}
+    record = {"events": events, "points": b64encode(points).decode("ascii"), "moves": moves}
     return _result(job, trace=record, outcome=end)
+
+
+def _keep_moves(trace: Trace) -> None:
+    trace.moves = []
 
 
 def _end_of(trace: Trace) -> dict[str, Any]:

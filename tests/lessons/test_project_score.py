@@ -76,7 +76,7 @@ def honest(request: pytest.FixtureRequest) -> Map:
     """The map that the solution draws on one of the project's mats."""
     world = load(LESSON / "worlds" / f"{request.param}.json")
     trace = run_program(SOLUTION, world, 3)
-    job = {"id": "run", "kind": "run", "world": world.to_dict(), "seed": 3, "limits": {}}
+    job = {"id": "run", "kind": "run", "world": world.to_dict(), "seed": 3, "number": 3}
     run = Run(job, trace, Ending("finished", None))
     return run.map(known=names_of_check()["KNOWN"])
 

@@ -255,6 +255,7 @@ def far_edges(task):
     task.call(index_of, 200, 100, gives=None)
     task.call(index_of, 100, 200, gives=None)
     task.call(index_of, 200, 0, gives=None)
+    task.call(index_of, 207, 204, gives=None)
 
 
 @check("Points left of the mat and below it", hint=1)

@@ -5,6 +5,10 @@ May import: the standard library, `bugbot.frames`, `bugbot.trace`, `bugbot.world
 
 Time moves only in `advance`, in steps of 0.02 s (the last one shorter). The state
 is rounded as it is stored, so that all engines agree on every run (see `rounding.py`).
+
+So a run can be made once more from its moves alone. They are kept in the trace's `moves`, if it
+has a list there: `[forward, right, turn, seconds, until blocked]` for each stretch of time, in per
+cents, and between them the number of beams of each look.
 """
 
 from __future__ import annotations
@@ -58,6 +62,7 @@ class Simulator:
         self._boxes = boxes_of(world)
         self._trace = trace
         self._chance = generator(seed, "depth")
+        self._command = (0.0, 0.0, 0.0)
         self._speeds = (0.0, 0.0, 0.0)
         self._bumped = False
         self._touched = (0.0, 0.0)
@@ -75,6 +80,7 @@ class Simulator:
 
     def drive(self, forward: float, right: float, turn: float) -> None:
         """Move like this from now on: per cents, clamped to -100 to 100."""
+        self._command = (forward, right, turn)
         self._speeds = speeds(forward, right, turn)
         self.ever_driven = self.ever_driven or self.driving
 
@@ -83,6 +89,8 @@ class Simulator:
 
         Returns whether it ended early, because the robot was stopped.
         """
+        if self._trace.moves is not None:
+            self._trace.moves.append([*self._command, seconds, until_blocked])
         begin = self.t
         end = stored(begin + seconds)
         if not self.driving:
@@ -159,6 +167,8 @@ class Simulator:
         return round(max(0.0, 100.0 * (1.0 - self.t / _BATTERY_S)), 1)
 
     def _look(self, beams: tuple[depth.Beam, ...]) -> list[tuple[float, float]]:
+        if self._trace.moves is not None:
+            self._trace.moves.append(len(beams))
         true = depth.distances(self._boxes, self.x, self.y, self.heading, beams)
         readings = [
             (beam[0], depth.read(cm, self._chance)) for beam, cm in zip(beams, true, strict=True)

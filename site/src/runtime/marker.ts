@@ -189,7 +189,7 @@ export class Marker {
       now: place && {
         mat: mats.indexOf(place.world.name) + 1,
         mats: mats.length,
-        seed: place.seed,
+        seed: place.number,
       },
     });
   }

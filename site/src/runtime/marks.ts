@@ -60,8 +60,11 @@ export interface Job {
   id: string;
   /** The longest it may take, and the longest a run may compute with no simulated time passing [s]. */
   limits: { real_s: number; silent_s: number };
-  /** Where the program is run, for a job that is a run; its trace can be shown. */
-  place: { world: World; seed: number } | null;
+  /**
+   * Where the program is run, for a job that is a run; its trace can be shown. `number` is the seed as
+   * the check names it: the noise itself is made of the program's text as well.
+   */
+  place: { world: World; seed: number; number: number } | null;
   /** The whole job as the judge wrote it, for the performer: its numbers keep their kind. */
   text: string;
 }
@@ -84,9 +87,10 @@ export function readStep(text: string): Step {
 function readJob(text: string): Job {
   const job: unknown = JSON.parse(text);
   if (isRecord(job) && isText(job.id) && isRecord(job.limits)) {
-    const { id, kind, world, seed, limits } = job;
+    const { id, kind, world, seed, number, limits } = job;
     const { real_s, silent_s } = limits;
-    const place = kind === "run" && isWorld(world) && isWhole(seed) ? { world, seed } : null;
+    const isRun = kind === "run" && isWorld(world) && isWhole(seed) && isWhole(number);
+    const place = isRun ? { world, seed, number } : null;
     if (isPositive(real_s) && isPositive(silent_s)) {
       return { id, limits: { real_s, silent_s }, place, text };
     }

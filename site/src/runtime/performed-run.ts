@@ -8,7 +8,8 @@ import type { Performance } from "./marker.ts";
 export function runOf(program: string, { job, result }: Performance): Trace | null {
   if (!job.place) return null;
   const format = { format: FORMAT, version: VERSION, kinds: KINDS } as const;
-  const trace = new Trace({ ...format, program, ...job.place });
+  const { world, seed } = job.place;
+  const trace = new Trace({ ...format, program, world, seed });
   try {
     const left = JSON.parse(result).trace as unknown;
     if (!isLeft(left)) return null;

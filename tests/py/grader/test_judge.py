@@ -63,8 +63,34 @@ def test_jobs_and_results_are_plain_json() -> None:
 
 
 def test_the_same_seed_is_shifted_for_another_noise() -> None:
-    jobs = [step(BOTH, LESSON, "task", RIGHT, [], shift=shift)["jobs"] for shift in (0, 1000)]
-    assert [each[0]["seed"] for each in jobs] == [2, 1002]
+    first, other = (seeds_of(RIGHT, shift)["run"] for shift in (0, 1000))
+    assert other == first + 1000
+
+
+def seeds_of(program: str, shift: int = 0) -> dict[str, int]:
+    jobs = step(BOTH, LESSON, "task", program, [], shift=shift)["jobs"]
+    return {"run": jobs[0]["seed"], "calls": jobs[1]["groups"][0]["seed"]}
+
+
+def test_noise_comes_from_the_submission() -> None:
+    """The same file has the same noise, however its lines end; any other has another."""
+    first = seeds_of(RIGHT)
+    for same in (
+        RIGHT.replace("\n", "\r\n"),
+        RIGHT.replace("\n", "\r"),
+        f"\ufeff{RIGHT}",
+        f"{RIGHT}\n\n",
+        RIGHT.rstrip("\n"),
+    ):
+        assert seeds_of(same) == first
+    others = [f"{RIGHT}#{n}\n" for n in range(200)] + [RIGHT.replace("\n", "\n\n", 1)]
+    assert len({seeds_of(other)["run"] for other in others} | {first["run"]}) == 202
+    assert all(seeds_of(other)["calls"] != first["calls"] for other in others[:5])
+
+
+def test_a_mark_names_the_seeds_as_the_check_does() -> None:
+    for program in (RIGHT, f"{RIGHT}# another\n"):
+        assert step(BOTH, LESSON, "task", program, [])["jobs"][0]["number"] == 2
 
 
 def test_a_world_of_the_lessons_own_is_used() -> None:

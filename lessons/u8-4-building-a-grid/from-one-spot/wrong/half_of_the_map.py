@@ -1,4 +1,4 @@
-# earns: 37.6 %
+# earns: 37.
 # A map from one spot
 #
 # The robot turns on the spot in a corner of the mat.
