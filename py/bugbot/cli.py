@@ -3,9 +3,11 @@
 May import: the rest of `bugbot`.
 
     python -m bugbot run FILE [--world NAME_OR_FILE] [--seed N] [--json] [--trace OUT] [--png OUT]
+                              [--trusted]
     python -m bugbot worlds [--json]
 
-Ends with 0 for a program that finished, 1 for one that did not, 2 for wrong usage.
+The program runs in a sandbox, where it can reach nothing of this machine, unless `--trusted` says
+that it may. Ends with 0 for a program that finished, 1 for one that did not, 2 for wrong usage.
 """
 
 from __future__ import annotations
@@ -23,8 +25,10 @@ from bugbot.picture import PictureError, save_picture
 from bugbot.plain_text import json_text, plain
 from bugbot.run import Limits, outcome_of, run_program
 from bugbot.run.watchdog import STILL_S
+from bugbot.shut_in import run_shut_in
 from bugbot.supervisor import supervised
 from bugbot.trace import Trace
+from sandbox.node import NoSandboxError, SandboxError
 
 __all__ = ["main"]
 
@@ -40,7 +44,8 @@ class _UsageError(BugbotError):
 def main(arguments: list[str], *, limits: Limits | None = None, in_child: bool = False) -> int:
     """Do what the arguments say; returns the exit status.
 
-    With `in_child` the program runs in a process of its own, which can always be ended.
+    With `in_child` the program runs in a process of its own, which can always be ended: the
+    sandbox's, or one of plain Python if the arguments say that the file is trusted.
     """
     options = _parser().parse_args(arguments)
     try:
@@ -67,6 +72,11 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--seed", type=int, default=1, help="of the noise and of random (1)")
     run.add_argument("--json", action="store_true", help="print the outcome as JSON, only that")
     run.add_argument("--trace", type=Path, metavar="OUT", help="save the trace to this file")
+    run.add_argument(
+        "--trusted",
+        action="store_true",
+        help="run it in plain Python, outside the sandbox: it can do whatever you can do",
+    )
     run.add_argument("--png", type=Path, metavar="OUT", help="save a picture of the end")
     listing = commands.add_parser("worlds", help="list the worlds")
     listing.add_argument("--json", action="store_true", help="in full, as JSON")
@@ -78,6 +88,13 @@ def _run(options: argparse.Namespace, limits: Limits, in_child: bool) -> int:
     world = worlds.load(options.world)
     name = "program.py" if options.file == "-" else Path(options.file).name
     out, err = sys.stdout, sys.stderr
+    if in_child and not options.trusted:
+        try:
+            return _report(run_shut_in(source, world, options.seed, limits, name), options)
+        except (NoSandboxError, SandboxError) as error:
+            raise _UsageError(str(error)) from None
+        except PictureError as error:
+            return _refuse(error)
 
     def work(trace_ready: Callable[[Trace], None]) -> int:
         trace = run_program(

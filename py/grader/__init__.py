@@ -1,6 +1,6 @@
 """Marks what learners write, on worlds and noise they have not seen.
 
-May import: the standard library, `bugbot`, `performer`, `mapping`.
+May import: the standard library, `bugbot`, `performer`, `sandbox`, `mapping`.
 
 The words of a check.py are these, and `grader.task.Task`'s methods; lessons/README.md teaches
 them:

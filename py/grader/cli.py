@@ -2,10 +2,13 @@
 
 May import: the rest of `grader`.
 
-    python -m grader mark LESSON TASK FILE [--part] [--json]
+    python -m grader mark LESSON TASK FILE [--part] [--trusted] [--json]
     python -m grader mark-all FOLDER [--processes N | --dask ADDRESS] [--trusted]
     python -m grader check [LESSON …] [--seeds N]
     python -m grader mutants [LESSON [TASK]] [--sample N] [--list]
+
+`mark` and `mark-all` run a file in a sandbox, where it can reach nothing of this machine, unless
+they are told --trusted; `check` and `mutants` run the lessons' own files and go without.
 
 Ends with 0 if the program passes or all is well, with 1 if not, with 2 for wrong usage or a
 fault of ours.
@@ -27,6 +30,7 @@ from grader.mutants import command as mutants_command
 from grader.parts import PartError, compose
 from grader.report import text_of
 from grader.standing import SEEDS, Report, check_course
+from sandbox.node import NoSandboxError, Sandbox, SandboxError
 
 __all__ = ["main"]
 
@@ -44,7 +48,7 @@ def main(arguments: list[str]) -> int:
         if options.command == "mutants":
             return mutants_command.mutants(options)
         return _check(options)
-    except CourseError as error:
+    except (CourseError, NoSandboxError, SandboxError) as error:
         print(plain(f"grader: {error}"), file=sys.stderr)
         return _USAGE
 
@@ -60,6 +64,11 @@ def _parser() -> argparse.ArgumentParser:
     mark.add_argument("lesson", metavar="LESSON", help="the name of a lesson's folder")
     mark.add_argument("task", metavar="TASK", help="the name of the task")
     mark.add_argument("file", metavar="FILE", help="the program's file; - reads standard input")
+    mark.add_argument(
+        "--trusted",
+        action="store_true",
+        help="run it in plain CPython: quicker, but the program can do whatever you can do",
+    )
     mark.add_argument("--json", action="store_true", help="print the mark as JSON, only that")
     mark.add_argument(
         "--part", action="store_true", help="the file holds the learner's part, as those of right/"
@@ -96,7 +105,7 @@ def _mark(options: argparse.Namespace) -> int:
     program = _program(options.file)
     if options.part:
         program = _composed(task, program)
-    with Performer() as performer:
+    with Performer() if options.trusted else Sandbox() as performer:
         mark = mark_program(
             task.check.read_text("utf-8"),
             lesson.for_judge(),

@@ -1,6 +1,6 @@
 """The dialogue of judge and performer under plain CPython.
 
-May import: the standard library, `grader.judge`, `grader.processes`.
+May import: the standard library, `grader.judge`, `sandbox.processes`.
 
 A `Performer` keeps one process waiting that has imported what a run needs, and can't import a
 judge. For each job it forks, so that every job has a fresh interpreter a few milliseconds
@@ -23,7 +23,7 @@ from types import TracebackType
 from typing import IO, Any
 
 from grader.judge import first_failure, step
-from grader.processes import end
+from sandbox.processes import end
 
 __all__ = ["Performer", "mark_program"]
 

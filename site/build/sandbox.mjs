@@ -1,7 +1,7 @@
 /**
  * Prepares the locked-down Python that marks files nobody vouches for, under .cache/sandbox/, and
  * tells how it is started: node site/build/sandbox.mjs prints, as its last line,
- * {"command": [node, options…, script], "folder": …} as JSON. `grader.classes.sandbox` reads that.
+ * {"command": [node, options…, script], "folder": …} as JSON. `sandbox.node` reads that.
  *
  * The folder holds a bundle of site/sandbox/performer.ts and, unpacked, all that it reads; the process
  * may read that folder, and nothing else of this machine.
@@ -88,6 +88,9 @@ export function options(folder) {
     stable ? "--permission" : "--experimental-permission",
     `--allow-fs-read=${join(folder, "*")}`,
     "--disallow-code-generation-from-strings",
+    // --frozen-intrinsics does not hold with Pyodide, which adds to JavaScript's own functions while it
+    // starts; the worker's lock-down freezes them afterwards.
+    "--disable-proto=delete",
     "--no-addons",
     "--no-warnings",
     `--max-old-space-size=${JS_HEAP_MB}`,

@@ -180,7 +180,7 @@ async function withFreshInstance(seen, start) {
  * Not in the snapshot: NumPy can't be in one, PyYAML comes when a map is opened, and the command
  * line is not for the browser.
  */
-const LEFT_OUT = /^import numpy|^import yaml|^import argparse/m;
+const LEFT_OUT = /^import numpy|^import yaml|^import argparse|^from sandbox/m;
 
 /**
  * Our modules, as names to import.

@@ -14,6 +14,29 @@ import net from "node:net";
 /** Globals of Node that lead out of the interpreter. */
 const NODE_GLOBALS = ["process", "global", "Buffer", "setImmediate", "clearImmediate"];
 
+/**
+ * What is left of `process`: what Node itself looks up on it while a program runs. All else goes, `kill`,
+ * `getBuiltinModule`, `binding`, `dlopen`, `env` and whatever a later Node brings among it.
+ */
+const KEPT_OF_PROCESS = new Set([
+  ..."version versions platform arch release features title pid".split(" "),
+  ..."nextTick emitWarning emit on once off addListener removeListener listenerCount".split(" "),
+  ..."exit exitCode reallyExit _exiting _events _eventsCount _maxListeners _tickCallback".split(" "),
+]);
+
+/**
+ * What Node asks of `process` though it may not be there: where it is, no getter that a program has
+ * planted further up is asked.
+ */
+const ASKED_OF_PROCESS = {
+  env: Object.freeze(Object.create(null)),
+  noDeprecation: true,
+  throwDeprecation: false,
+  traceDeprecation: false,
+  traceProcessWarnings: false,
+  domain: null,
+};
+
 /** @returns {never} */
 function refuse() {
   throw new Error("There is no network here");
@@ -48,8 +71,16 @@ export function closeNetwork() {
  * @param {(text: string) => void} hear
  */
 export function closeGlobals(hear) {
-  // A way to the engine's inner modules, past everything above.
-  Reflect.deleteProperty(process, "binding");
+  const { process } = globalThis;
+  for (const name of Reflect.ownKeys(process)) {
+    if (typeof name !== "string" || KEPT_OF_PROCESS.has(name)) continue;
+    // What can't be deleted is made undefined; what can't be that either is a plain value.
+    if (Reflect.deleteProperty(process, name)) continue;
+    Reflect.defineProperty(process, name, { value: undefined, writable: false });
+  }
+  for (const [name, value] of Object.entries(ASKED_OF_PROCESS)) {
+    Object.defineProperty(process, name, { value, writable: false, configurable: false });
+  }
   for (const name of NODE_GLOBALS) Reflect.deleteProperty(globalThis, name);
   const say = (/** @type {unknown[]} */ ...parts) => hear(parts.map(String).join(" "));
   const quiet = { debug: say, error: say, info: say, log: say, trace: say, warn: say };

@@ -1,6 +1,6 @@
 /**
  * A process that does one job of a marking with one learner's program, and ends. The site's own worker
- * under Node (confined.ts), with the limits that `grader.classes.sandbox` puts on the process.
+ * under Node (confined.ts), with the limits that `sandbox.node` puts on the process.
  *
  *   in    one line of JSON {"job", "program"}, then the end of the input
  *   out   lines: "ready"; "begun"; "beat T" as simulated time passes; then "result JSON", or "died WORDS"

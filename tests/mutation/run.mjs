@@ -17,7 +17,7 @@ const { ensureVenv, venvTool } = await import("../setup.mjs");
 /** An environment of its own: mutmut brings packages that nothing else here wants. */
 const VENV = join(CACHE, "mutation/venv");
 const MUTMUT = "mutmut==3.8.1";
-const PACKAGES = ["bugbot", "mapping", "performer", "grader", "bridge", "sketch"];
+const PACKAGES = ["bugbot", "mapping", "performer", "sandbox", "grader", "bridge", "sketch"];
 
 /**
  * What is changed, and the tests that should notice.

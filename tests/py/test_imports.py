@@ -37,13 +37,15 @@ MAY_IMPORT: dict[str, tuple[str, ...]] = {
     "bugbot.supervisor": ("bugbot.trace",),
     "bugbot.cli": (
         *(*CALLS, "bugbot.run", "bugbot.picture"),
-        *("bugbot.plain_text", "bugbot.supervisor"),
+        *("bugbot.plain_text", "bugbot.supervisor", "bugbot.shut_in", "sandbox"),
     ),
+    "bugbot.shut_in": ("bugbot.run", "bugbot.trace", "bugbot.worlds", "sandbox"),
     "bugbot.__main__": ("bugbot.cli",),
     "mapping": ("bugbot.frames", "bugbot.errors", "mapping", "numpy"),
     "mapping.yaml_text": ("bugbot.errors", "yaml"),
     "performer": ("bugbot", "bugbot.*", "performer"),
-    "grader": ("bugbot", "bugbot.*", "mapping", "performer", "grader"),
+    "sandbox": ("sandbox",),
+    "grader": ("bugbot", "bugbot.*", "mapping", "performer", "sandbox", "grader"),
     "grader.classes.machines": ("grader", "distributed"),
     "sketch": ("bugbot.frames", "sketch"),
     "bridge": (

@@ -25,12 +25,12 @@ from grader.classes.lanes import by_processes
 from grader.classes.machines import by_machines
 from grader.classes.page import page_of
 from grader.classes.record import Record
-from grader.classes.sandbox import prepared
 from grader.classes.submissions import Found, find
 from grader.classes.summary import STATUSES, in_order, totals
 from grader.classes.table import csv_of
 from grader.classes.work import NOT_MARKED, Row, Work, work_of
 from grader.lesson import CourseError, Lesson, course, lesson_at
+from sandbox.node import prepared
 
 __all__ = ["add_arguments", "mark_all"]
 
@@ -57,7 +57,8 @@ def add_arguments(parser: argparse.ArgumentParser, count: Callable[[str], int]) 
     parser.add_argument(
         "--trusted",
         action="store_true",
-        help="mark in plain CPython processes: quicker, but the files can do what you can",
+        help="mark in plain CPython processes: quicker, but a file can do whatever you can, "
+        "read and delete your files and change others' marks among it",
     )
     where = parser.add_mutually_exclusive_group()
     where.add_argument(
@@ -178,9 +179,12 @@ def _about(
 ) -> list[str]:
     count = Counter(row["status"] for row in rows)
     told = ", ".join(f"{count[each]} {each}" for each in STATUSES if count[each]) or "none"
-    where = "in the locked-down Python under Node"
     if options.trusted:
         where = "in plain CPython, as files that are trusted"
+    elif options.dask is not None:
+        where = "in the locked-down Python under Node"
+    else:
+        where = f"in the locked-down Python under Node ({prepared().walls.held})"
     folder = plain(str(options.folder), "")
     lines = [
         f"{folder}: {len(rows)} of {counted(of, 'submission')} {where}, {seconds:.1f} s: {told}."

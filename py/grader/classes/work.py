@@ -23,11 +23,11 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any, TypedDict
 
-from grader.classes.sandbox import Sandbox, SandboxError
 from grader.classes.submissions import Submission, UnreadableError, read_program
 from grader.lesson import CourseError
 from grader.marking import Performer, mark_program
 from grader.marks import FAILED, PASSED
+from sandbox.node import NoSandboxError, Sandbox, SandboxError
 
 __all__ = [
     "FAILED_ROW",
@@ -149,7 +149,7 @@ def mark_work(work: Work) -> Row:
         mark = mark_program(
             work["check"], work["lesson"], work["task"], program, _perform(work["trusted"])
         )
-    except (CourseError, SandboxError) as error:
+    except (CourseError, NoSandboxError, SandboxError) as error:
         return not_marked(work, str(error))
     row = _marked(work, mark)
     row["seconds"] = round(time.perf_counter() - began, 2)

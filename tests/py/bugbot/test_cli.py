@@ -2,6 +2,8 @@
 
 import io
 import json
+import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +17,7 @@ from bugbot import worlds
 from bugbot.cli import main
 from bugbot.run import outcome_of, run_program
 from bugbot.trace import Trace
+from sandbox.node import prepared
 
 GOOD = 'from bugbot import *\nprint("on my way")\nforward(100, 23)\ndraw("goal", [position()])\n'
 
@@ -157,10 +160,10 @@ def command(*arguments: Any, code: str | None = None) -> subprocess.CompletedPro
 
 
 def test_the_module_is_a_command(program: Path) -> None:
-    done = command("run", program, "--json")
+    done = command("run", "--trusted", program, "--json")
     assert (done.returncode, done.stderr) == (0, "")
     assert json.loads(done.stdout)["console"] == "on my way\n"
-    assert command("run", "nowhere.py").returncode == 2
+    assert command("run", "--trusted", "nowhere.py").returncode == 2
 
 
 # -- programs that only the parent process can end -------------------------------
@@ -176,7 +179,7 @@ sys.exit(cli.main(sys.argv[1:], limits=Limits(silent_s=0.3), in_child=True))
 
 def test_a_calculation_that_nothing_interrupts_is_ended_with_its_outcome(program: Path) -> None:
     program.write_text("sum(iter(int, 1))", encoding="utf-8")
-    done = command("run", program, "--json", code=SOON)
+    done = command("run", "--trusted", program, "--json", code=SOON)
     outcome = json.loads(done.stdout)
     assert (done.returncode, outcome["status"]) == (1, "limit")
     assert outcome["message"] == (
@@ -197,15 +200,42 @@ def test_a_program_that_resists_interruption_is_ended_with_its_outcome(program: 
         "    except BaseException: pass\n",
         encoding="utf-8",
     )
-    done = command("run", program, "--json", code=SOON)
+    done = command("run", "--trusted", program, "--json", code=SOON)
     outcome = json.loads(done.stdout)
     assert (done.returncode, outcome["status"], outcome["console"]) == (1, "limit", "begin\n")
 
 
 def test_an_interpreter_that_dies_leaves_an_outcome(program: Path) -> None:
     program.write_text("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)", encoding="utf-8")
-    done = command("run", program, "--json", code=SOON)
+    done = command("run", "--trusted", program, "--json", code=SOON)
     outcome = json.loads(done.stdout)
     assert (done.returncode, outcome["status"]) == (1, "fault")
     assert outcome["fault"]["type"] == "RecursionError"
     assert outcome["fault"]["message"].startswith("Python itself died")
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="the sandbox needs Node")
+def test_a_file_that_nobody_trusts_runs_where_it_reaches_nothing(program: Path) -> None:
+    prepared()  # the first time it takes a while
+    lines = [GOOD, "import os", 'print("\\x1b[2J", os.getpid() == PID, os.path.exists(FILE))']
+    names = f"PID, FILE = {os.getpid()}, {str(program)!r}"
+    program.write_text("\n".join([names, *lines, "1 / 0"]), encoding="utf-8")
+    done = command("run", program, "--json")
+    outcome = json.loads(done.stdout)
+    assert outcome["console"].endswith("False False\n")
+    assert outcome["status"] == "fault"
+    assert "division by zero" in outcome["message"]
+    assert "\x1b" not in done.stdout
+    assert done.returncode == 1
+
+
+def test_without_a_sandbox_it_is_said_how_to_do_without(
+    program: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
+) -> None:
+    prepared.cache_clear()
+    monkeypatch.setenv("PATH", "/nowhere")
+    assert main(["run", str(program)], in_child=True) == 2
+    prepared.cache_clear()
+    said = capsys.readouterr().err
+    assert "Node can't be started" in said
+    assert "--trusted" in said

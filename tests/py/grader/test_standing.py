@@ -174,7 +174,7 @@ def test_a_program_is_marked_on_the_command_line(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     task = folder / "one-step/step-up"
-    asked = ["mark", "one-step", "step-up", "--lessons", str(folder)]
+    asked = ["mark", "--trusted", "one-step", "step-up", "--lessons", str(folder)]
     assert cli.main([*asked, str(task / "solution.py")]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == "Passed."
     assert cli.main([*asked, str(task / "wrong/ahead.py")]) == 1
@@ -190,7 +190,7 @@ def test_a_part_alone_is_marked_in_the_starter(
     folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     write(tmp_path / "part.py", "return int(length // step)\n")
-    asked = ["mark", "one-step", "whole-steps", str(tmp_path / "part.py")]
+    asked = ["mark", "--trusted", "one-step", "whole-steps", str(tmp_path / "part.py")]
     assert cli.main([*asked, "--lessons", str(folder), "--part"]) == 0
     assert capsys.readouterr().out.splitlines()[-1] == "Passed."
     assert cli.main([*asked, "--lessons", str(folder)]) == 1
@@ -202,7 +202,10 @@ def test_a_part_alone_is_marked_in_the_starter(
 def test_a_fault_of_ours_is_labelled_so(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     write(folder / "one-step/step-up/check.py", "1 / 0\n")
     solution = str(folder / "one-step/step-up/solution.py")
-    assert cli.main(["mark", "one-step", "step-up", solution, "--lessons", str(folder)]) == 2
+    assert (
+        cli.main(["mark", "--trusted", "one-step", "step-up", solution, "--lessons", str(folder)])
+        == 2
+    )
     assert "This is our fault, not yours: lessons/one-step/step-up" in capsys.readouterr().out
 
 

@@ -16,9 +16,9 @@ from typing import Any
 import pytest
 
 from bugbot import worlds
-from grader.classes.sandbox import Sandbox, close_everything
 from grader.classes.work import Work, mark_work, source_key
 from performer.limits import RUN_LIMITS
+from sandbox.node import Sandbox, close_everything
 
 pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="the sandbox needs Node")
 

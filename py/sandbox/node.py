@@ -1,11 +1,12 @@
 """Does a job in the locked-down Python under Node: for files that nobody vouches for.
 
-May import: the standard library, `grader.lesson`, `grader.processes`.
+May import: the standard library, the rest of `sandbox`.
 
 Each job has a process of its own (site/sandbox/performer.ts): the page's own worker, with Node's
-permission model around it. Where the system offers it (Linux), the process is also told, before it
-hears of the program, that it can open nothing more: no file, no socket, no pipe. It is
-ended from here when it takes too long, tells of no simulated time passing, or says too much.
+permission model around it, behind the walls that the system has (`walls.py`). Under Linux the
+process is also told, before it hears of the program, that it can open nothing more and start
+nothing: no file, no socket, no pipe, no thread. It is ended from here when it takes too long,
+tells of no simulated time passing, or says too much.
 """
 
 from __future__ import annotations
@@ -23,12 +24,12 @@ from time import monotonic
 from types import TracebackType
 from typing import IO, Any
 
-from grader.lesson import CourseError
-from grader.processes import end
+from sandbox.processes import end
+from sandbox.walls import Walls, innermost, walls_for
 
-__all__ = ["Sandbox", "SandboxError", "close_everything", "prepared"]
+__all__ = ["NoSandboxError", "Sandbox", "SandboxError", "close_everything", "prepared"]
 
-_ROOT = Path(__file__).resolve().parents[3]
+_ROOT = Path(__file__).resolve().parents[2]
 _PREPARE = _ROOT / "site" / "build" / "sandbox.mjs"
 
 _START_S = 120.0
@@ -44,6 +45,10 @@ _SYSTEM = ("SYSTEMROOT",)
 """What Node needs of the environment, on Windows. The rest, passwords among it, stays here."""
 
 
+class NoSandboxError(Exception):
+    """There is no sandbox on this machine; the message says what is missing."""
+
+
 class SandboxError(Exception):
     """The sandbox itself failed: a fault of ours or of this machine, never the learner's."""
 
@@ -52,25 +57,27 @@ class SandboxError(Exception):
 class _Prepared:
     command: tuple[str, ...]
     folder: str
+    walls: Walls
 
 
 @cache
 def prepared() -> _Prepared:
-    """Have the sandbox made, if it is not; raises CourseError saying what is missing."""
+    """Have the sandbox made, if it is not; raises NoSandboxError saying what is missing."""
     advice = "install Node 20.19 or newer and run `npm install` in the project's folder, "
-    advice += "or mark with --trusted if you trust every file"
+    advice += "or go without it by --trusted if you trust every file"
     if not _PREPARE.exists():
-        raise CourseError(f"the sandbox is made by {_PREPARE}, which is not there: {advice}")
+        raise NoSandboxError(f"the sandbox is made by {_PREPARE}, which is not there: {advice}")
     try:
         done = subprocess.run(
             ["node", str(_PREPARE)], cwd=_ROOT, stdout=subprocess.PIPE, text=True, check=False
         )
     except OSError as error:
-        raise CourseError(f"Node can't be started ({error.strerror}): {advice}") from None
+        raise NoSandboxError(f"Node can't be started ({error.strerror}): {advice}") from None
     if done.returncode != 0:
-        raise CourseError(f"the sandbox could not be prepared (see above): {advice}")
+        raise NoSandboxError(f"the sandbox could not be prepared (see above): {advice}")
     said = json.loads(done.stdout.splitlines()[-1])
-    return _Prepared(tuple(said["command"]), said["folder"])
+    command, folder = tuple(said["command"]), said["folder"]
+    return _Prepared(command, folder, walls_for(command[0], folder))
 
 
 class Sandbox:
@@ -96,7 +103,7 @@ class Sandbox:
         process, lines = self._start()
         try:
             _expect(lines, b"ready")
-            close_everything(process.pid, job["limits"]["real_s"])
+            close_everything(innermost(process.pid), job["limits"]["real_s"])
             assert process.stdin is not None
             with suppress(BrokenPipeError):  # it has died: its last line says so
                 process.stdin.write(json.dumps({"job": job, "program": program}).encode())
@@ -114,7 +121,7 @@ class Sandbox:
 
     def _start(self) -> tuple[subprocess.Popen[bytes], Queue[bytes]]:
         process = subprocess.Popen(
-            self._prepared.command,
+            self._prepared.walls.round(self._prepared.command),
             cwd=self._prepared.folder,
             env={name: os.environ[name] for name in _SYSTEM if name in os.environ},
             stdin=subprocess.PIPE,
@@ -154,7 +161,7 @@ def _expect(lines: Queue[bytes], word: bytes) -> None:
 def _answer(job: dict[str, Any], lines: Queue[bytes]) -> dict[str, Any]:
     limits = job["limits"]
     # Calls end their own endless loops, and tell nothing of simulated time.
-    silent_s = limits["silent_s"] if job["kind"] == "run" else limits["real_s"]
+    silent_s = limits["real_s"] if job["kind"] == "calls" else limits["silent_s"]
     late = monotonic() + limits["real_s"]
     silent = monotonic() + silent_s
     reached = 0.0
@@ -195,13 +202,26 @@ def _words(line: bytes) -> str:
 
 
 def close_everything(pid: int, real_s: float) -> None:
-    """From now on the process can open nothing and write no file; Linux alone has the call."""
+    """From now on the process opens nothing, writes no file and starts nothing; on Linux alone."""
     try:
-        from resource import RLIMIT_CPU, RLIMIT_DATA, RLIMIT_FSIZE, RLIMIT_NOFILE, prlimit
+        from resource import (
+            RLIMIT_CPU,
+            RLIMIT_DATA,
+            RLIMIT_FSIZE,
+            RLIMIT_NOFILE,
+            RLIMIT_NPROC,
+            prlimit,
+        )
     except ImportError:
         return
     seconds = int(real_s) + 60  # should nobody be left to end it; threads count each
-    limits = {RLIMIT_NOFILE: 0, RLIMIT_FSIZE: 0, RLIMIT_DATA: _DATA_BYTES, RLIMIT_CPU: seconds}
+    limits = {
+        RLIMIT_NOFILE: 0,
+        RLIMIT_FSIZE: 0,
+        RLIMIT_NPROC: 0,
+        RLIMIT_DATA: _DATA_BYTES,
+        RLIMIT_CPU: seconds,
+    }
     with suppress(OSError):  # some containers refuse; the other fences stand
         for limit, most in limits.items():
             prlimit(pid, limit, (most, most))
