@@ -23,7 +23,16 @@ export async function check() {
     {
       name: "types of Python",
       commands: [
-        [venvTool("mypy"), "bugbot", "mapping", "performer", "sandbox", "grader", "bridge", "sketch"],
+        [
+          venvTool("mypy"),
+          "bugbot",
+          "mapping",
+          "performer",
+          "sandbox",
+          "grader",
+          "bridge",
+          "sketch",
+        ],
       ],
       cwd: python,
     },

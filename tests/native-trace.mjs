@@ -14,7 +14,19 @@ import { venvTool } from "./setup.mjs";
 export function nativeTrace({ file, world, seed }) {
   const folder = mkdtempSync(join(tmpdir(), "trace-"));
   const out = join(folder, "native.trace");
-  const args = ["-m", "bugbot", "run", "--trusted", file, "--world", world, "--seed", `${seed}`, "--trace", out];
+  const args = [
+    "-m",
+    "bugbot",
+    "run",
+    "--trusted",
+    file,
+    "--world",
+    world,
+    "--seed",
+    `${seed}`,
+    "--trace",
+    out,
+  ];
   const env = { ...process.env, PYTHONPATH: join(ROOT, "py") };
   const done = spawnSync(venvTool("python"), args, { env, encoding: "utf8" });
   if (done.status !== 0) throw new Error(`${file} has failed under CPython:\n${done.stderr}`);
@@ -50,7 +62,18 @@ function same(a, b) {
  * @returns {unknown}
  */
 export function nativeOutcome({ program, world, seed }) {
-  const args = ["-m", "bugbot", "run", "--trusted", "-", "--world", world, "--seed", `${seed}`, "--json"];
+  const args = [
+    "-m",
+    "bugbot",
+    "run",
+    "--trusted",
+    "-",
+    "--world",
+    world,
+    "--seed",
+    `${seed}`,
+    "--json",
+  ];
   const env = { ...process.env, PYTHONPATH: join(ROOT, "py") };
   const done = spawnSync(venvTool("python"), args, { env, encoding: "utf8", input: program });
   if (done.status !== 0) throw new Error(`the program has failed under CPython:\n${done.stderr}`);

@@ -21,7 +21,9 @@ const NODE_GLOBALS = ["process", "global", "Buffer", "setImmediate", "clearImmed
 const KEPT_OF_PROCESS = new Set([
   ..."version versions platform arch release features title pid".split(" "),
   ..."nextTick emitWarning emit on once off addListener removeListener listenerCount".split(" "),
-  ..."exit exitCode reallyExit _exiting _events _eventsCount _maxListeners _tickCallback".split(" "),
+  ..."exit exitCode reallyExit _exiting _events _eventsCount _maxListeners _tickCallback".split(
+    " ",
+  ),
 ]);
 
 /**

@@ -140,7 +140,7 @@ function shownOf(where: Where, found: FailedRun | null): Shown {
   if (known) return known;
   const { place, trace } = found;
   const limits = { real_s: 1, silent_s: 1 };
-  const job = { id: where.job, limits, place, text: "" };
+  const job = { id: where.job, limits, place: { ...place, number: place.seed }, text: "" };
   const run = runOf("", { job, result: JSON.stringify({ trace }) });
   const shown = run ? { trace: run, isRun: true } : bare;
   shownRuns.set(found, shown);
