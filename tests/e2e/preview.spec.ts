@@ -52,7 +52,7 @@ test("an author sees what each program earns, and what no wrong attempt shows @o
 
   // One task is marked, the other is left alone.
   await task.getByRole("button", { name: "Mark this task" }).click();
-  await expect(row("starter.py")).toContainText("Fails, but names a mistake");
+  await expect(row("starter.py")).toContainText("Fails, as it should");
   await expect(row("solution.py")).toContainText("Passes");
   await expect(row("wrong/one-too-many.py")).toContainText("Earns its words");
   await expect(row("wrong/rounded-up.py")).toContainText("Earns other words");
