@@ -84,7 +84,8 @@ async function startLabs(): Promise<void> {
   // Python may be on its way while the editor still is.
   const { Runtime } = await part(() => import("./runtime/client.ts"));
   const runtime = new Runtime(warmUp());
-  whenWanted(places, () => runtime.warm());
+  // A small device starts Python for the first run, and not before.
+  if (!runtime.isSmall) whenWanted(places, () => runtime.warm());
   // What the reader came for is fetched before anything is kept for later.
   if (keeps) whenReady(runtime, () => keepSoon(home));
   const [{ BugbotLab, defineLab }, labPage, { startTries }] = await parts;

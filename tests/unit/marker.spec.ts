@@ -70,10 +70,12 @@ class Hand implements Partner {
 }
 
 /** A marking in which the first interpreter is the judge, with these steps, and the rest perform. */
-function marking(steps: readonly string[], perform: Script = done) {
+function marking(steps: readonly string[], perform: Script = done, oneAtATime = false) {
   const hands: Hand[] = [];
   const progress: MarkProgress[] = [];
   let next = 0;
+  let spares = 0;
+  let most = 0;
   const judge: Script = () => ({ kind: "step", id: 0, step: steps[next++] ?? "" });
   const marker = new Marker(
     {
@@ -89,9 +91,13 @@ function marking(steps: readonly string[], perform: Script = done) {
       take: async () => {
         const hand = new Hand(hands.length === 0 ? judge : perform);
         hands.push(hand);
+        most = Math.max(most, hands.filter(({ ended }) => !ended).length - 1);
         return hand;
       },
-      prepare: async () => {},
+      prepare: async () => {
+        spares += 1;
+      },
+      oneAtATime,
     },
     {
       stdlib: () => Promise.reject(),
@@ -99,7 +105,11 @@ function marking(steps: readonly string[], perform: Script = done) {
       judging: async () => new ArrayBuffer(8),
     },
   );
-  return { marker, hands, progress, judge: () => hands[0] as Hand };
+  return {
+    ...{ marker, hands, progress, judge: () => hands[0] as Hand },
+    /** The most performers at work at once, and how often a spare was asked for. */
+    load: () => ({ most, spares }),
+  };
 }
 
 const done: Script = (message) =>
@@ -112,6 +122,16 @@ test("what would tell a program what is right comes to the judge alone", async (
   await marker.done;
   const given = hands.map(({ told }) => told.filter(({ kind }) => kind === "package").length);
   expect(given).toEqual([1, 0, 0]);
+});
+
+test("a small device has one performer at a time, and no spare beside it", async () => {
+  const steps = [jobs(job("a"), job("b"), job("c")), JSON.stringify({ mark: PASSED })];
+  const small = marking(steps, done, true);
+  expect(await small.marker.done).toMatchObject({ kind: "marked" });
+  expect(small.load()).toEqual({ most: 1, spares: 0 });
+  const large = marking(steps, done);
+  await large.marker.done;
+  expect(large.load().most).toBe(2);
 });
 
 const settled = (): Promise<void> => new Promise((resolve) => setImmediate(resolve));

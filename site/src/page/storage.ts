@@ -12,10 +12,11 @@ export class ProgramStore {
 
   /**
    * `storage` is asked for each time: where it is forbidden, even naming it throws. What is kept for
-   * somebody by name is apart from what is kept for everybody else.
+   * somebody by name is apart from what is kept for everybody else; for somebody without a name (an
+   * empty text) nothing is kept, as nobody knows who comes next.
    */
   constructor(storage: () => Storage = () => localStorage, keptFor?: string) {
-    this.#storage = storage;
+    this.#storage = keptFor === "" ? nothing : storage;
     this.#prefix = keptFor ? `${PREFIX}${keptFor}:` : PREFIX;
   }
 
@@ -58,4 +59,8 @@ export class ProgramStore {
     addEventListener("storage", listener);
     return () => removeEventListener("storage", listener);
   }
+}
+
+function nothing(): Storage {
+  throw new Error("nothing is kept for somebody without a name");
 }

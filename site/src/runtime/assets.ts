@@ -19,7 +19,16 @@ export class Assets {
   #yaml: Promise<ArrayBuffer> | null = null;
   #judging: Promise<ArrayBuffer> | null = null;
 
-  constructor() {
+  /** @param hindered why nothing is to be fetched: it could not be used. */
+  constructor(hindered: string | null = null) {
+    if (hindered !== null) {
+      const nothing = Promise.reject(new Error(hindered));
+      nothing.catch(() => {});
+      this.#module = nothing;
+      this.#snapshot = Promise.resolve(null);
+      this.#sources = nothing;
+      return;
+    }
     for (const file of [files.interpreter, files.snapshot, files.sources]) {
       this.progress.expect(file.bytes);
     }

@@ -5,6 +5,7 @@ import type { World } from "../trace/events.ts";
 import type { Trace } from "../trace/trace.ts";
 import { Assets } from "./assets.ts";
 import { type Converted, convert } from "./converter.ts";
+import { type Device, inWords, isSmall, obstacle } from "./device.ts";
 import { type Marked, Marker, type MarkListeners } from "./marker.ts";
 import type { JudgeRequest, RunRequest } from "./messages.ts";
 import { Pool, type Workers } from "./pool.ts";
@@ -50,13 +51,17 @@ export class Runtime extends EventTarget {
   /** Settles when the first interpreter is ready, or none can be had. */
   #started: Promise<void> = Promise.resolve();
   readonly #warmUp: WarmUp | null;
+  /** The device bears one interpreter at a time. */
+  readonly isSmall: boolean;
   #warmingUp: Run | null = null;
   /** The reader's last run or marking; null before the first. */
   #work: Promise<unknown> | null = null;
 
-  constructor(warmUp: WarmUp | null = null) {
+  constructor(warmUp: WarmUp | null = null, device: Device = navigator) {
     super();
-    this.#warmUp = warmUp;
+    this.isSmall = isSmall(device);
+    // A run out of sight takes an interpreter of its own.
+    this.#warmUp = this.isSmall ? null : warmUp;
   }
 
   get state(): RuntimeState {
@@ -120,7 +125,8 @@ export class Runtime extends EventTarget {
       await started;
       return pool.take();
     };
-    return { workers: { take, prepare: () => pool.prepare() }, assets: this.#assets };
+    const workers = { take, prepare: () => pool.prepare(), oneAtATime: this.isSmall };
+    return { workers, assets: this.#assets };
   }
 
   /**
@@ -130,18 +136,18 @@ export class Runtime extends EventTarget {
   async ready(runs = 1): Promise<void> {
     this.warm();
     await this.#started;
-    await this.#pool?.prepare(runs);
+    await this.#pool?.prepare(this.isSmall ? 1 : runs);
   }
 
   /** Many short runs are coming: have so many interpreters to spare. 1 gives the others back. */
   expect(spares: number): void {
-    this.#pool?.hold(spares);
+    this.#pool?.hold(this.isSmall ? 1 : spares);
     // A failure shows when an interpreter is needed.
     if (this.#state === "ready") this.#pool?.prepare().catch(() => {});
   }
 
   async #start(): Promise<void> {
-    const assets = new Assets();
+    const assets = new Assets(obstacle(globalThis));
     const pool = new Pool(() => assets.boot());
     this.#assets = assets;
     this.#pool = pool;
@@ -154,7 +160,7 @@ export class Runtime extends EventTarget {
         await pool.prepare();
       });
     } catch (error) {
-      this.#become("failed", error instanceof Error ? error.message : String(error));
+      this.#become("failed", inWords(error));
       throw error;
     }
     this.#become("ready");
@@ -176,7 +182,11 @@ export class Runtime extends EventTarget {
   async #runWarmUp(pool: Pool, assets: Assets): Promise<void> {
     await new Promise((resolve) => setTimeout(resolve, SETTLE_MS));
     if (!this.#warmUp || this.#work) return;
-    const workers: Workers = { take: () => pool.start(), prepare: async () => {} };
+    const workers: Workers = {
+      take: () => pool.start(),
+      prepare: async () => {},
+      oneAtATime: false,
+    };
     this.#warmingUp = new Run({ ...this.#warmUp, seed: 0 }, {}, workers, assets);
     await this.#warmingUp.done;
     this.#warmingUp = null;

@@ -29,7 +29,7 @@ export async function convert(
     assets.judging(),
   ]);
   // The next one starts while this one works; a failure shows when it is needed.
-  workers.prepare().catch(() => {});
+  if (!workers.oneAtATime) workers.prepare().catch(() => {});
   try {
     // It does these in order, and leaves out what it has already.
     partner.send({ kind: "stdlib", bytes: stdlib });

@@ -133,7 +133,8 @@ export class Marker {
         this.#tell();
       }
     };
-    await Promise.all(Array.from({ length: AT_ONCE }, lane));
+    const lanes = this.#workers.oneAtATime ? 1 : AT_ONCE;
+    await Promise.all(Array.from({ length: lanes }, lane));
     return results;
   }
 
@@ -162,7 +163,7 @@ export class Marker {
     }
     this.#partners.add(partner);
     // The next one starts while this one works; a failure shows when it is needed.
-    this.#workers.prepare().catch(() => {});
+    if (!this.#workers.oneAtATime) this.#workers.prepare().catch(() => {});
     const note = (text: string) => this.#listeners.onNote?.(text);
     const given = judges ? JUDGING : [];
     if (judges) {

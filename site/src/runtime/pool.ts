@@ -23,6 +23,8 @@ export interface Workers {
   take(): Promise<Partner>;
   /** Have the next one on its way. */
   prepare(): Promise<void>;
+  /** On a small device no interpreter is started while another works, unless one waits for the other. */
+  readonly oneAtATime: boolean;
 }
 
 /** One interpreter in its worker. */

@@ -100,7 +100,9 @@ export class Run {
     if (died || this.#ended) return;
     interpreter.listen((message) => this.#receive(message, watch));
     interpreter.send({ kind: "run", id: 0, program, world, seed, limits: this.#limits });
-    watch.begin(() => this.#workers.prepare().catch(() => {}));
+    watch.begin(() => {
+      if (!this.#workers.oneAtATime) this.#workers.prepare().catch(() => {});
+    });
   }
 
   #receive(message: FromWorker, watch: Watch): void {

@@ -5,14 +5,19 @@
  * May import `page/progress` (types).
  */
 import type { Progress } from "../page/progress.ts";
+import { type ProgressRecord, readAll, writeProgress } from "../page/progress-record.ts";
 import { Session } from "./scorm-api.ts";
-import { type Lesson, recordIn, reportOf } from "./scorm-report.ts";
+import { readSuspended } from "./scorm-data.ts";
+import { type Lesson, reportOf } from "./scorm-report.ts";
+
+const FOREIGN =
+  "Your learning platform holds progress of this lesson that this version can’t read. It stays as it is, so what you do now is not kept there: save it as a file if you need it.";
 
 const session = Session.begin(window, Date.now());
 
 if (session) {
-  // Learners who share a device do not share what is kept on it.
-  document.documentElement.dataset.keptFor = session.get("cmi.core.student_id") || "lms";
+  // Learners who share a device do not share what is kept on it. One who is not named has nothing kept.
+  document.documentElement.dataset.keptFor = session.get("cmi.core.student_id");
   document.addEventListener("bugbot-progress", (event) => {
     follow(session, (event as CustomEvent<Progress>).detail);
   });
@@ -27,19 +32,31 @@ function follow(session: Session, progress: Progress): void {
   const lesson = lessonHere();
   if (!lesson) return;
   const before = session.get("cmi.core.lesson_status");
+  const kept = readSuspended(session.get("cmi.suspend_data"));
+  if (kept === "foreign") sayForeign();
+  else if (kept !== "nothing" && kept.record.tasks.size > 0) {
+    progress.import(writeProgress(kept.record));
+  }
   let readToEnd = false;
   const tell = (): void => {
-    session.set(reportOf(lesson, recordIn(progress.export()), before, readToEnd));
+    const record: ProgressRecord = readAll(progress.export()).record;
+    session.set(reportOf(lesson, record, before, readToEnd, kept !== "foreign"));
   };
-  const kept = session.get("cmi.suspend_data");
-  // A text that is no progress of ours is left alone until there is something to tell.
-  if (recordIn(kept).tasks.size > 0) progress.import(kept);
   progress.addEventListener("change", tell);
   whenRead(() => {
     readToEnd = true;
     tell();
   });
   tell();
+}
+
+/** The platform's own record is not ours to write over. */
+function sayForeign(): void {
+  const notice = document.createElement("p");
+  notice.className = "notice";
+  notice.setAttribute("role", "status");
+  notice.textContent = FOREIGN;
+  document.querySelector(".lesson-head")?.append(notice);
 }
 
 function lessonHere(): Lesson | null {
