@@ -19,7 +19,8 @@ export class Arrivals {
   /** Style sheets that have been tried again, by address. */
   readonly #again = new Set<string>();
   #isUp = false;
-  #isTold = false;
+  #hasTold = false;
+  #isTelling = false;
 
   constructor(page: Document) {
     this.#page = page;
@@ -41,14 +42,16 @@ export class Arrivals {
     });
     addEventListener("load", () => void this.#bringUp());
     setTimeout(() => {
-      if (!this.#isUp && !this.#isTold) this.#note.show([words.slow, ...remedy()]);
+      if (this.#isUp || this.#hasTold) return;
+      this.#note.show([words.slow, ...remedy()]);
     }, SLOW_MS);
   }
 
   /** The page's own scripts run, all of them. */
   #up(): void {
     this.#isUp = true;
-    if (!this.#isTold) this.#note.hide();
+    // It has been slow, no more.
+    if (!this.#hasTold) this.#note.hide();
   }
 
   #onSheet(target: EventTarget | null, arrived: boolean): void {
@@ -84,14 +87,15 @@ export class Arrivals {
   }
 
   async #tell(address: string | null, what = words.part): Promise<void> {
-    if (this.#isTold) return;
-    this.#isTold = true;
+    if (this.#isTelling) return;
+    this.#hasTold = true;
+    this.#isTelling = true;
     this.#note.show([what, ...remedy()]);
     const reason = await reasonFor(address);
     if (reason) this.#note.show([what, reason, ...remedy()]);
     if (!this.#isUp) parent.postMessage(MISSING + (reason ? `${what} ${reason}` : what), "*");
     // Something else may go missing once this has been put away.
-    this.#isTold = false;
+    this.#isTelling = false;
   }
 }
 
