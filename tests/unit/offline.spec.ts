@@ -248,6 +248,24 @@ test("a device without room has every page and file, over the network", async ()
   }
 });
 
+test("of a version that is not all here no page is given out: the server may have newer ones", async () => {
+  const { shelf, caches, asked } = world();
+  caches.room = 0;
+  const first = shelf("one", ONE);
+  await first.install();
+  caches.room = 2;
+  await expect(first.keep(["site"])).rejects.toThrow("Quota");
+  asked.length = 0;
+  await first.answer(new Request(SCOPE));
+  await first.answer(new Request(`${SCOPE}lab/`));
+  expect(asked).toEqual(["plain", "plain lab/"]);
+  caches.room = 10;
+  await first.keep(["site"]);
+  asked.length = 0;
+  await first.answer(new Request(`${SCOPE}lab/`));
+  expect(asked).toEqual([]);
+});
+
 test("a new version that does not fit beside the old one can still be taken", async () => {
   const { shelf, caches } = world();
   await shelf("one", ONE).install();

@@ -7,10 +7,11 @@ import { progressWords as words } from "../ui/progress-words.ts";
 import type { Progress } from "./progress.ts";
 import { saveFile } from "./text-file.ts";
 
-/** It comes after `element`. */
+/** It comes at the end of a page's head, or after the tools for progress. */
 export function showUnread(element: HTMLElement, progress: Progress): void {
   const place = document.createElement("div");
-  element.after(place);
+  if (element.matches("header")) element.append(place);
+  else element.after(place);
   const draw = (): void => {
     const notices = progress.unread.map(
       ({ why, text }) => html`<div class="notice" role="status">
