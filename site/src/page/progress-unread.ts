@@ -10,7 +10,7 @@ import { saveFile } from "./text-file.ts";
 /** It comes at the end of a page's head, or after the tools for progress. */
 export function showUnread(element: HTMLElement, progress: Progress): void {
   const place = document.createElement("div");
-  if (element.matches("header")) element.append(place);
+  if (element.localName === "header") element.append(place);
   else element.after(place);
   const draw = (): void => {
     const notices = progress.unread.map(
