@@ -50,6 +50,12 @@ def _covered_up(case: Case) -> str | None:
         value = case.scope.get(name)
         if callable(value) or name not in case.scope:
             continue
+        covered = _defined_and_set(case, name)
+        if covered is not None:
+            return (
+                f"Line {covered} sets {name} to a value of type {kind}, so the function of that "
+                "name is gone: choose another name for one of the two."
+            )
         if name in CALLS:
             return (
                 f"A line above makes {name} a value of type {kind}, so the robot's call {name}() "
@@ -69,6 +75,14 @@ def _covered_up(case: Case) -> str | None:
     if kind in ("tuple", "list", "str"):
         return "Is there a comma missing between two things in a list?"
     return None
+
+
+def _defined_and_set(case: Case, name: str) -> int | None:
+    """The line that gives a value to the name of a function of the program's own."""
+    if not any(re.match(rf"\s*def\s+{name}\s*\(", text) for text in case.lines):
+        return None
+    sets = re.compile(rf"\s*(?:for\s+)?(?:[\w*]+\s*,\s*)*{name}\s*(?:,[^=()]*)?(?:=(?!=)|\bin\b)")
+    return next((at for at, text in enumerate(case.lines, 1) if sets.match(text)), None)
 
 
 def _unpacked_wrongly(case: Case) -> str | None:

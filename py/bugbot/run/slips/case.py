@@ -74,6 +74,19 @@ class Case:
             step = step.tb_next
         return step is not None and step.tb_frame.f_code.co_filename == self.filename
 
+    def is_read(self, text: str) -> bool:
+        """Whether the program can be read with this text for the learner's line."""
+        if self.line is None:
+            return False
+        lines = [*self.lines[: self.line - 1], text, *self.lines[self.line :]]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            try:
+                compile("\n".join(lines), self.filename, "exec", dont_inherit=True)
+            except (SyntaxError, ValueError, RecursionError, MemoryError):
+                return False
+        return True
+
     def parts(self, *kinds: type[ast.AST]) -> list[Any]:
         """The parts of the program of these kinds that reach over the learner's line."""
         if self.line is None or isinstance(self.error, SyntaxError):

@@ -146,13 +146,13 @@ def _unbound(case: Case) -> str | None:
         return None
     found = re.search(r"'(\w+)'", case.message)
     name = found[1] if found else "it"
-    if name in case.scope:
+    given = [line for line in _given(case, name) if line != case.line]
+    earlier = [line for line in given if case.line is not None and line < case.line]
+    if not earlier and name in case.scope:
         return (
             f"The function gives {name} a value somewhere, so {name} is its own there. To change "
             f"the one outside, begin the function with: global {name}"
         )
-    given = [line for line in _given(case, name) if line != case.line]
-    earlier = [line for line in given if case.line is not None and line < case.line]
     if not earlier:
         where = f" before line {given[0]}" if given else ""
         return f"Nothing has given {name} a value{where} yet: give it one above this line."

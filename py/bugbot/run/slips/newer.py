@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import re
 import sys
-import warnings
 from collections.abc import Callable
 
 from bugbot.run.slips.case import Case, Slip
@@ -26,26 +25,13 @@ def _newer(case: Case) -> str | None:
         return None
     for older, advice in _OLDER:
         text = older(case.text)
-        if text != case.text and _is_read(case, text):
+        if text != case.text and case.is_read(text):
             here = f"{sys.version_info[0]}.{sys.version_info[1]}"
             return (
                 f"Python {here} runs this, and can't read it; Python {PAGE[0]}.{PAGE[1]} in the "
                 f"page can. {advice}"
             )
     return None
-
-
-def _is_read(case: Case, text: str) -> bool:
-    """Whether the program can be read with this text for its line."""
-    assert case.line is not None
-    lines = [*case.lines[: case.line - 1], text, *case.lines[case.line :]]
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
-        try:
-            compile("\n".join(lines), case.filename, "exec", dont_inherit=True)
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            return False
-    return True
 
 
 def _other_quotes(text: str) -> str:

@@ -5,6 +5,7 @@ May import: the standard library, the rest of `bugbot.run.slips`.
 
 from __future__ import annotations
 
+import keyword
 import re
 
 from bugbot.run.slips.case import Case, Slip
@@ -139,6 +140,25 @@ def _by_message(case: Case) -> str | None:
     return None
 
 
+def _sign_missing(case: Case) -> str | None:
+    """`(column + 0.5) CELL`: it can be read once a * stands between the two."""
+    if not case.message.startswith("invalid syntax"):
+        return None
+    for found in re.finditer(r"([)\]]|\b\w+)(\s*)(?=([A-Za-z_]\w*)\b)", case.text):
+        before, space, after = found[1], found[2], found[3]
+        glued = not space and before not in (")", "]")
+        if glued or {before, after} & {*keyword.kwlist, *keyword.softkwlist}:
+            continue
+        text = f"{case.text[: found.end()]} * {case.text[found.end() :]}"
+        if case.is_read(text):
+            comma = ": a comma? " if "forgot a comma" in case.message else ". "
+            return (
+                f"Between {before} and {after} something is missing{comma}To multiply write *: "
+                f"{before} * {after}"
+            )
+    return None
+
+
 def _brace_above(case: Case) -> str | None:
     """`if x {` and then a sound line: Python complains of the second."""
     above = "" if case.line is None else case.text_of(case.line - 1)
@@ -150,5 +170,5 @@ def _only_syntax(slip: Slip) -> Slip:
 
 
 SLIPS: tuple[Slip, ...] = tuple(
-    map(_only_syntax, (_foreign, _brace_above, _unreadable, _by_message))
+    map(_only_syntax, (_foreign, _brace_above, _unreadable, _sign_missing, _by_message))
 )
