@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["AuthorError", "CheckFailed", "NeedsJob", "NotRun", "ProgramFailed"]
+__all__ = ["AuthorError", "CheckFailed", "NeedsJob", "NotRun", "ProgramFailed", "ShowingFailed"]
 
 
 class CheckFailed(Exception):  # noqa: N818 - a verdict, and no error
@@ -50,6 +50,10 @@ class CheckFailed(Exception):  # noqa: N818 - a verdict, and no error
 
 class ProgramFailed(CheckFailed):
     """The program itself came to grief, whatever this check is about: told once in a mark."""
+
+
+class ShowingFailed(ProgramFailed):
+    """All answers of a check are right, but the program itself did not come to a good end."""
 
 
 class NeedsJob(BaseException):

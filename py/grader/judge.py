@@ -14,8 +14,16 @@ from __future__ import annotations
 import traceback
 from typing import Any
 
+from grader.asking import Answered
 from grader.declare import Check, checks_of
-from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramFailed
+from grader.failures import (
+    AuthorError,
+    CheckFailed,
+    NeedsJob,
+    NotRun,
+    ProgramFailed,
+    ShowingFailed,
+)
 from grader.jobs import Desk
 from grader.marks import NOT_RUN, PASSED, entry, failed_entry, mark_of
 from grader.results import result_of, score_of
@@ -160,24 +168,36 @@ def _begin(check: Check, desk: Desk) -> _Begun:
 
 def _judged(checks: list[Check], states: list[_Begun]) -> list[dict[str, Any]]:
     answered = [pair for task, failure, _ in states if failure is None for pair in task.answered()]
+    failures = [_failure_of(task, failure, answered) for task, failure, _ in states]
+    # What only shows things may break on a wrong answer: then it is the answer that counts.
+    is_wrong = any(
+        isinstance(each, CheckFailed) and not isinstance(each, ShowingFailed) for each in failures
+    )
     told: set[str] = set()
     entries = []
-    for check, (task, failure, _) in zip(checks, states, strict=True):
-        try:
-            if failure is not None:
-                raise failure
-            task.judge(answered)
-        except NotRun:
-            entries.append(entry(check.title, NOT_RUN))
-        except CheckFailed as failed:
-            # The same trouble of the whole program is told once, not under every check.
-            same = isinstance(failed, ProgramFailed) and str(failed) in told
-            told.add(str(failed))
-            made = entry(check.title, NOT_RUN)
-            entries.append(made if same else failed_entry(check.title, failed, check.hint))
-        else:
+    for check, failure in zip(checks, failures, strict=True):
+        if failure is None or (is_wrong and isinstance(failure, ShowingFailed)):
             entries.append(entry(check.title, PASSED))
+        elif isinstance(failure, NotRun) or str(failure) in told:
+            entries.append(entry(check.title, NOT_RUN))
+        else:
+            # The same trouble of the entire program is told once, not under every check.
+            told |= {str(failure)} if isinstance(failure, ProgramFailed) else set()
+            entries.append(failed_entry(check.title, failure, check.hint))
     return entries
+
+
+def _failure_of(
+    task: Task, failure: CheckFailed | None, answered: list[Answered]
+) -> CheckFailed | NotRun | None:
+    """How a check fails, None if it does not."""
+    try:
+        if failure is not None:
+            raise failure
+        task.judge(answered)
+    except (CheckFailed, NotRun) as ended:
+        return ended
+    return None
 
 
 def _ours(error: Exception, filename: str) -> str:

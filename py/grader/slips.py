@@ -94,7 +94,9 @@ def usual_slip(wrong: Wrong) -> str | None:
 
 def _nothing_returned(wrong: Wrong) -> str | None:
     printed = bool(wrong.answer.get("printed"))
-    why = why_none(wrong.text, wrong.answer.get("left on"), printed=printed)
+    may_be_none = any(each.expected() is None for each, _ in wrong.every)
+    left_on = None if may_be_none else wrong.answer.get("left on")
+    why = why_none(wrong.text, left_on, printed=printed)
     if why is None and isinstance(wrong.right, list | tuple | set | dict) and not wrong.right:
         return f"an empty {type(wrong.right).__name__} is asked for, not None: return that"
     return why

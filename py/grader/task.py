@@ -12,7 +12,14 @@ from typing import Any
 from grader.asking import NOT_SAID, Answered, Call, Look, Step
 from grader.compare import Compare, exactly
 from grader.declare import Check, Function, Mistake, Scoring, mistakes_of
-from grader.failures import AuthorError, CheckFailed, NeedsJob, NotRun, ProgramFailed
+from grader.failures import (
+    AuthorError,
+    CheckFailed,
+    NeedsJob,
+    NotRun,
+    ProgramFailed,
+    ShowingFailed,
+)
 from grader.functions import fault_text, judge_steps
 from grader.jobs import Desk, Group
 from grader.looping import loop_in
@@ -245,6 +252,7 @@ class Task:
 
     def judge(self, others: Iterable[Answered]) -> None:
         """Hold the gathered calls against what is right, and the runs' maps against evidence."""
+        trouble: CheckFailed | None = None
         for group, steps in self._plans:
             reply, died = self._desk.answers(group)
             answers = _answers_in(reply)
@@ -252,7 +260,12 @@ class Task:
             if died is not None:
                 raise ProgramFailed("a program whose functions can be called", died)
             if len(answers) < len(steps) or reply.get("status") != "finished":
-                raise _cut_short(reply, group, len(answers))
+                failure = _cut_short(reply, group, len(answers))
+                if len(answers) < len(steps):
+                    raise failure
+                trouble = trouble or failure
+        if trouble is not None:
+            raise ShowingFailed(trouble.expected, trouble.got, likely=trouble.likely)
         for run in self._runs:
             run.must_have_seen_its_maps()
         for trial in self.trials_made:

@@ -39,6 +39,7 @@ cell_of = function(
             each(lambda value: round(value / 10)),
             1,
         ),
+        mistake(CUT, each(lambda value: int(value) // 10), 1, where=calls("int")),
         mistake(
             CUT,
             each(lambda value: int(value / 10)),

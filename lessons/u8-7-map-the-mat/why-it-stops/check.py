@@ -1,15 +1,22 @@
 """reason(seconds, driven, regions, ways): why an explorer stops, or None."""
 
-from grader import check, function
+from grader import check, code, function, lacks, mistake
 
 LEAST, TIME, WAY = 4, 200, 1600
 
 
-def by(large=lambda size: size >= LEAST, small=None, reached=None, unreachable=None, over=None):
+def by(
+    time=lambda seconds: seconds >= TIME,
+    large=lambda size: size >= LEAST,
+    small=None,
+    reached=None,
+    unreachable=None,
+    over=None,
+):
     """What is right, or a slip of it in one of its questions."""
 
     def answer(seconds, driven, regions, ways):
-        if seconds >= TIME:
+        if time(seconds):
             return "time is up"
         if not regions:
             return "no frontier is left"
@@ -62,9 +69,20 @@ reason = function(
             by(unreachable=lambda worth: None in worth),
             1,
         ),
-        (
+        mistake(
             "a way of 0 cm looks taken for none: ask `is not None`",
             by(reached=lambda worth, _ways: [way for way in worth if way]),
+            2,
+            where=lacks(code("_ is not None")),
+        ),
+        (
+            "at MAX_TIME itself the time is up as well, not only after it",
+            by(time=lambda seconds: seconds > TIME),
+            0,
+        ),
+        (
+            "a way that comes to exactly MAX_WAY can be afforded: only beyond it is too far",
+            by(over=lambda driven, lengths: driven + min(lengths) >= WAY),
             2,
         ),
         (

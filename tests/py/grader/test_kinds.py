@@ -113,3 +113,29 @@ def test_a_program_without_an_end_fails_once_its_functions_are_right() -> None:
     mark = marked(CELL, f"{RIGHT}from bugbot import *\nwhile True:\n    wait(1)\n")
     assert failed(mark)["expected"] == "a program that comes to its end"
     assert statuses(mark) == ["failed", "not run"]
+
+
+def test_a_wrong_answer_of_a_later_check_counts_before_the_code_that_breaks_on_it() -> None:
+    half = "def cell_of(x, y):\n    if x > 0:\n        return x // 10, y // 10\n"
+    mark = marked(CELL, f"{half}\ncolumn, row = cell_of(-5, 15)\n")
+    assert statuses(mark) == ["passed", "failed"]
+    assert failed(mark)["got"] == "cell_of(-5, 15) returned None"
+    right = marked(CELL, f"{RIGHT}\ncolumn, row = 3\n")
+    assert statuses(right) == ["failed", "not run"]
+    assert failed(right)["got"].startswith("TypeError on line 5")
+
+
+MAYBE = """
+from grader import check, function
+
+f = function("f(x)", lambda x: x if x > 2 else None)
+
+@check("It")
+def it(task):
+    task.call(f, 3)
+    task.call(f, 1)
+"""
+
+
+def test_where_none_can_be_right_no_return_is_asked_for_on_every_road() -> None:
+    assert failed(marked(MAYBE, "def f(x):\n    if x > 5:\n        return x\n"))["likely"] is None

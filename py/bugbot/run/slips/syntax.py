@@ -152,9 +152,10 @@ def _sign_missing(case: Case) -> str | None:
         text = f"{case.text[: found.end()]} * {case.text[found.end() :]}"
         if case.is_read(text):
             comma = ": a comma? " if "forgot a comma" in case.message else ". "
+            product = {")": "(…)", "]": "[…]"}.get(before, before)
             return (
                 f"Between {before} and {after} something is missing{comma}To multiply write *: "
-                f"{before} * {after}"
+                f"{product} * {after}"
             )
     return None
 
