@@ -282,7 +282,9 @@ def _answers_in(reply: Any) -> list[dict[str, Any]]:
         if not isinstance(each, dict) or each.get("skipped"):
             break
         # A program that stopped half-way may not have come to what the function needs.
-        if _stopped_early(reply) and ("missing" in each or _misses_a_name(each)):
+        missed = each.get("missing")
+        unknown = missed is not None and not _stopped_for_want_of(missed, reply)
+        if _stopped_early(reply) and (unknown or _misses_a_name(each)):
             break
         sound.append(each)
     return sound
@@ -296,6 +298,12 @@ def _fault_in(reply: Any) -> dict[str, Any] | None:
 def _stopped_early(reply: dict[str, Any]) -> bool:
     """Whether an error, a limit or exit() ended the program."""
     return reply.get("status") != "finished" or reply.get("left") is True
+
+
+def _stopped_for_want_of(name: object, reply: dict[str, Any]) -> bool:
+    """Whether the program stopped because there is nothing of this name."""
+    fault = _fault_in(reply) or {}
+    return fault.get("type") == "NameError" and f"'{name}'" in str(fault.get("message"))
 
 
 def _misses_a_name(answer: dict[str, Any]) -> bool:

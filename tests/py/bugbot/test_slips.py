@@ -159,6 +159,11 @@ NAMES = [
         "It is spelt known on lines 1 and 2 and knwon on line 3: make them the same.",
     ),
     (
+        "def regions(x):\n    return x\nregions(1)\nlarge_regions(1)\n",
+        4,
+        "Did you mean regions?",
+    ),
+    (
         "def cell_of(x):\n    colum = x\n    colum += 1\n    return column\ncell_of(3)\n",
         4,
         "It is spelt colum on lines 2 and 3 and column on line 4: make them the same.",

@@ -139,3 +139,11 @@ def it(task):
 
 def test_where_none_can_be_right_no_return_is_asked_for_on_every_road() -> None:
     assert failed(marked(MAYBE, "def f(x):\n    if x > 5:\n        return x\n"))["likely"] is None
+
+
+def test_a_function_by_another_name_is_missed_though_the_code_that_shows_it_stops() -> None:
+    first = failed(marked(CELL, "def cells_of(x, y):\n    return 3, 7\n\nprint(cell_of(3, 7))\n"))
+    assert first["expected"] == "a function cell_of(x, y)"
+    assert first["likely"].startswith("the program has cells_of")
+    early = failed(marked(CELL, f"print(cell)\n{RIGHT}"))
+    assert early["got"].startswith("NameError on line 1: name 'cell'")

@@ -13,6 +13,9 @@ __all__ = ["is_own", "meant", "two_spellings"]
 
 _MOST_LINES = 3
 
+_MOST_LETTERS = 2
+"""Of two names that differ in length by more letters none is likely to be the other."""
+
 
 def is_own(value: object) -> bool:
     """Whether the program itself may have chosen the name that holds this value."""
@@ -27,7 +30,7 @@ def two_spellings(case: Case, near: str, name: str, quoted: bool = False) -> str
     """
     of_near, of_name = case.lines_with(near, quoted), case.lines_with(name, quoted)
     shown = (repr(near), repr(name)) if quoted else (near, name)
-    if not of_near or not of_name:
+    if not of_near or not of_name or abs(len(near) - len(name)) > _MOST_LETTERS:
         return f"Did you mean {shown[0]}?"
     return (
         f"It is spelt {shown[0]} on {_lines(of_near)} and {shown[1]} on {_lines(of_name)}: make "
