@@ -54,8 +54,8 @@ def trace_from(data: Any, world: dict[str, Any], seed: int, longest_s: float) ->
             raise MalformedError(f"an event of the kind {event[0]} is out of time")
         before = event[1]
         trace.events.append(event)
-    if not trace.events or trace.events[-1][0] != "end":
-        raise MalformedError("the trace does not end with an end")
+    if [event[0] for event in trace.events].count("end") != 1 or trace.events[-1][0] != "end":
+        raise MalformedError("the trace does not end with an end, its only one")
     return trace
 
 

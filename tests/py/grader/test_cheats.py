@@ -42,11 +42,40 @@ def made(task):
     run = task.run("post-and-shelf", seed=5, seconds=30)
     run.map().wrong_walls(at_most=100)
 """,
+    "mapped": """
+from grader import check
+
+@check("A map of something")
+def made(task):
+    task.run("post-and-shelf", seed=5, seconds=30).map().known(at_least=0.05)
+""",
+    "drive": """
+from grader import check
+
+@check("A drive")
+def made(task):
+    task.run("post-and-shelf", seed=5, seconds=30).never_bumps()
+""",
+    "chance": """
+from math import floor
+from grader import check, function
+
+cell_of = function("cell_of(x, y)", lambda x, y: (floor(x / 10), floor(y / 10)))
+
+@check("Any points")
+def points(task):
+    for _ in range(20):
+        task.call(cell_of, task.random.randrange(200), task.random.randrange(200))
+""",
 }
 """Easy to satisfy, so that only honesty is asked for."""
 
+CELL_OF = "def cell_of(x, y):\n    return x // 10, y // 10\n"
+
 HONEST = {
-    "cell": "def cell_of(x, y):\n    return x // 10, y // 10\n",
+    "cell": CELL_OF,
+    "chance": CELL_OF,
+    "drive": "from bugbot import *\nforward(50, distance=5)\n",
     "numbers": "def total(numbers):\n    return sum(numbers)\n",
     "map": """
 from bugbot import *
@@ -55,6 +84,8 @@ draw("free", [(102.5, 107.5)], "#9ecae1", "squares", 5)
 draw("occupied", [], "black", "squares", 5)
 """,
 }
+
+HONEST["mapped"] = HONEST["map"]
 
 LESSON = {"slug": "honesty", "worlds": {}}
 
@@ -66,7 +97,7 @@ def performer() -> Iterator[Performer]:
 
 
 def test_there_are_enough() -> None:
-    assert len(CHEATS) >= 15
+    assert len(CHEATS) >= 40
 
 
 @pytest.mark.parametrize("task", CHECKS)

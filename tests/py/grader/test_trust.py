@@ -222,6 +222,7 @@ END = ["end", 1.0, "finished", ""]
         [],
         [["pose", 0, 1, 2, 3]],
         [["pose", 0, 1, 2], END],
+        [["end", 0.0, "finished", ""], END],
         [["flight", 0], END],
         [[1], END],
         [[], END],

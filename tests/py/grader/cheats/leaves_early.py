@@ -1,6 +1,6 @@
 # task: cell
 # tries: to be gone before anybody asks
-# told: the program left on line 10
+# told: gives (3, 7)
 
 
 def cell_of(x, y):

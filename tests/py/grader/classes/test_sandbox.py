@@ -27,7 +27,7 @@ JOB = {
     "kind": "run",
     "world": worlds.load("post-and-shelf").to_dict(),
     "seed": 1,
-    "limits": {**RUN_LIMITS, "print_bytes": 20_000},
+    "limits": {**RUN_LIMITS, "print_bytes": 20_000, "silent_s": 60.0},
 }
 IMPATIENT = {**JOB, "limits": {**RUN_LIMITS, "silent_s": 2.0}}
 
