@@ -93,6 +93,11 @@ BEAM = (152.5, 182.5, 90, 27.0)
 """Along a row of cells, where the map of no room knows anything. Five cells, and the hit in a
 sixth: whichever way the cells of a beam are listed, they are the same."""
 
+CLOSET = "closet"
+"""Here the robot sees walls close by and no more: of the rest of the mat its map knows nothing."""
+
+FLOOR, WALL, NOTHING, NO_WALL = -0.8, 0.85, 0, "no wall"
+
 add_beam = function("add_beam(x, y, angle, reading)", lambda *_: None, compare=lambda *_: True)
 
 
@@ -114,10 +119,12 @@ def says_the_same(wanted, got):
         return True
     if isinstance(got, bool) or not isinstance(got, int | float):
         return False
+    if wanted == NO_WALL:
+        return got <= 0
     if wanted == 0:
         return got == 0
     if abs(wanted) == L_MAX:
-        return 5 <= got * wanted / L_MAX <= L_MAX + 1e-9
+        return 7 <= got * wanted / L_MAX <= L_MAX + 1e-9
     return 0.6 <= got <= 1.2 if wanted > 0 else -2 <= got <= -0.2
 
 
@@ -149,8 +156,32 @@ def stock_room(task):
 
 @check("One beam by itself, and the clamp", hint=0)
 def one_beam(task):
-    task.call(add_beam, *BEAM)
-    task.variable("log_odds", gives=after(1), compare=says_the_same)
+    task.call(add_beam, *BEAM, world=CLOSET)
+    task.variable("log_odds", gives=after(1), compare=says_the_same, world=CLOSET)
     for _ in range(40):
-        task.call(add_beam, *BEAM)
-    task.variable("log_odds", gives=after(41), compare=says_the_same)
+        task.call(add_beam, *BEAM, world=CLOSET)
+    task.variable("log_odds", gives=after(41), compare=says_the_same, world=CLOSET)
+
+
+def only(known):
+    """A map of which no more than these cells are held against the learner's."""
+    return [known.get((cell % 40, cell // 40)) for cell in range(1600)]
+
+
+@check("Beams aslant, beams that leave the mat, beams that find nothing", hint=0)
+def more_beams(task):
+    task.call(add_beam, 102.5, 102.5, 30, 60, world=CLOSET)
+    known = {(23, 25): FLOOR, (26, 30): WALL}
+    # To the right, to the left, up and down; where they would come out on the other side, too.
+    for beam in ((187.5, 197.5, 90), (12.5, 152.5, -90), (152.5, 187.5, 0), (127.5, 12.5, 180)):
+        task.call(add_beam, *beam, 22.5, world=CLOSET)
+    known |= {(39, 39): FLOOR, (0, 30): FLOOR, (30, 39): FLOOR, (25, 0): FLOOR}
+    known |= {(column, 29): NOTHING for column in range(35, 40)}
+    known |= {(25, row): NOTHING for row in range(35, 40)}
+    # Longer than FAR, and exactly as long: floor up to FAR, and no wall.
+    for row, reading in ((20, 200), (22, 175), (24, 170)):
+        task.call(add_beam, 12.5, 5 * row + 2.5, 90, reading, world=CLOSET)
+        known |= {(column, row): FLOOR for column in (2, 10, 30)}
+        known |= {(36, row): NO_WALL, (37, row): NOTHING, (38, row): NOTHING, (39, row): NOTHING}
+    known |= {(23, 24): None}  # the first beam came by here
+    task.variable("log_odds", gives=only(known), compare=says_the_same, world=CLOSET)

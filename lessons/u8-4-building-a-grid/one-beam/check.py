@@ -316,6 +316,11 @@ def edge(task):
     task.call(add_beam, EMPTY, 102, 189, 0, 12.5)
     task.call(add_beam, EMPTY, 102, 8, 180, 10)
     task.call(add_beam, EMPTY, 151, 102, 60, 200)
+    # Up to the last cell, in all four directions.
+    task.call(add_beam, EMPTY, 8, 102, -90, 12.5)
+    task.call(add_beam, EMPTY, 102, 8, 180, 12.5)
+    task.call(add_beam, EMPTY, 192, 102, 90, 12.5)
+    task.call(add_beam, EMPTY, 102, 192, 0, 12.5)
 
 
 @check("Other weights, another FAR", hint=2)
