@@ -100,17 +100,18 @@ TRUE = (104.0, 97.0, 20.0)
 FIELD, HITS = scene()
 
 
-def fit_at(pose):
-    return fit_by()(FIELD, *pose, HITS)
-
-
-def fits_as_well(wanted, got):
+def fits_as_well(field, hits):
     """Any pose that fits as well as the best one of the window will do."""
-    try:
-        x, y, facing = got
-        return abs(fit_at((x, y, facing)) - fit_at(wanted)) < 1e-6
-    except (TypeError, ValueError):
-        return False
+
+    def as_well(wanted, got):
+        try:
+            x, y, facing = got
+            found = fit_by()(field, x, y, facing, hits)
+            return abs(found - fit_by()(field, *wanted, hits)) < 1e-6
+        except (TypeError, ValueError):
+            return False
+
+    return as_well
 
 
 def match_by(turns=TURNS, shifts=SHIFTS, better=lambda found, best: found > best, update=True):
@@ -141,7 +142,7 @@ def reference(field, x, y, facing, hits):
 match = function(
     "match(field, x, y, facing, hits)",
     reference,
-    compare=fits_as_well,
+    compare=fits_as_well(FIELD, HITS),
     mistakes=[
         (
             "the guess comes back as it is: try the poses round it, and keep the best of them",
@@ -168,6 +169,28 @@ match = function(
 )
 
 
+GUESS = (63.5, 142.5, 40.0)
+ONE_HIT = [[30, 0]]
+
+
+def field_with_far_poses():
+    """2 cm below the guess the hit fits by half; a pose that mixes up the guess's numbers, wholly."""
+    x, y, facing = GUESS
+    mixed = [(y, y, facing), (facing, y, facing), (y, x, facing), (x, x, facing)]
+    mixed += [(x, facing, facing), (x, facing, y), (x, y, x), (x, y, y)]
+    field = [0.0] * 1600
+    for pose, value in [((x, y - 2, facing), 0.5), *((pose, 1.0) for pose in mixed)]:
+        hit_x, hit_y = place(pose, (30, 0))
+        field[floor(hit_y / 5) * 40 + floor(hit_x / 5)] = value
+    return field
+
+
+FAR_POSES = field_with_far_poses()
+match_near = function(
+    "match(field, x, y, facing, hits)", reference, compare=fits_as_well(FAR_POSES, ONE_HIT)
+)
+
+
 @check("How well hits agree with a field", hint=0)
 def fits(task):
     field = [0.0] * 1600
@@ -179,8 +202,8 @@ def fits(task):
 
 @check("Hits beyond the mat", hint=0)
 def beyond(task):
-    task.call(fit, [1.0] * 1600, 190, 100, 90, [[20, 0], [5, 0]], gives=0.5)
-    task.call(fit, [1.0] * 1600, 100, 190, 0, [[20, 0], [5, 0]], gives=0.5)
+    task.call(fit, [1.0] * 1600, 190, 100, 90, [[12, 0], [5, 0]], gives=0.5)
+    task.call(fit, [1.0] * 1600, 100, 190, 0, [[12, 0], [5, 0]], gives=0.5)
     task.call(fit, [1.0] * 1600, 2.5, 100, 0, [[0, -5], [0, 5]], gives=0.5)
     task.call(fit, [1.0] * 1600, 100, 2.5, 0, [[-5, 0], [5, 0]], gives=0.5)
 
@@ -202,3 +225,8 @@ def turned(task):
 def shifted(task):
     for dx, dy, off in ((2, -2, 3), (-2, 0, -2), (0, 2, 1)):
         task.call(match, FIELD, TRUE[0] + dx, TRUE[1] + dy, TRUE[2] + off, HITS)
+
+
+@check("A better pose, too far off to be tried", hint=2)
+def too_far(task):
+    task.call(match_near, FAR_POSES, *GUESS, ONE_HIT)
