@@ -178,6 +178,10 @@ def more_beams(task):
     known |= {(39, 39): FLOOR, (0, 30): FLOOR, (30, 39): FLOOR, (25, 0): FLOOR}
     known |= {(column, 29): NOTHING for column in range(35, 40)}
     known |= {(25, row): NOTHING for row in range(35, 40)}
+    # Hits less than a cell off the mat are in no cell, not in the one along the edge.
+    task.call(add_beam, 12.5, 162.5, -90, 15, world=CLOSET)
+    task.call(add_beam, 137.5, 12.5, 180, 15, world=CLOSET)
+    known |= {(0, 32): NO_WALL, (27, 0): NO_WALL}
     # Longer than FAR, and exactly as long: floor up to FAR, and no wall.
     for row, reading in ((20, 200), (22, 175), (24, 170)):
         task.call(add_beam, 12.5, 5 * row + 2.5, 90, reading, world=CLOSET)

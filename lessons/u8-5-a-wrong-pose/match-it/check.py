@@ -174,7 +174,7 @@ ONE_HIT = [[30, 0]]
 
 
 def field_with_far_poses():
-    """2 cm below the guess the hit fits by half; a pose that mixes up the guess's numbers, wholly."""
+    """Near the guess the hit fits by half; at poses that mix up the guess's numbers, entirely."""
     x, y, facing = GUESS
     mixed = [(y, y, facing), (facing, y, facing), (y, x, facing), (x, x, facing)]
     mixed += [(x, facing, facing), (x, facing, y), (x, y, x), (x, y, y)]

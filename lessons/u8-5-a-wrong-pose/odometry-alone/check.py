@@ -4,6 +4,8 @@ The gyros of the rooms drift to either side, some hardly and some a lot, and the
 less than they are told: what was told says nothing of the drift, only what was seen does.
 """
 
+from math import hypot
+
 from grader import check
 
 SECONDS, BETWEEN_LOOKS = 48, 0.15
@@ -12,6 +14,10 @@ TOLD = 30
 
 OFF_BY_CM = 10
 """So far the corrected poses may be off: feet slip, and 0.08 degrees/s are 4 degrees in the end."""
+
+
+OFF_WAY_CM = 6
+"""So far the corrected way may be from the true one: within 4 cm with a drift found as asked."""
 
 
 def found(run):
@@ -89,6 +95,15 @@ def mapped_well(task, world, seed):
     drawn = task.run(world, seed=seed, seconds=90, mistakes=UNUSED).map(off_by=OFF_BY_CM)
     drawn.cells_of(5).known(at_least=65).wrong_walls(at_most=6).wrong_floor(at_most=2)
     drawn.walls_found(at_least=60)
+    way = run.layer("way")
+    true = [run.pose_at(BETWEEN_LOOKS * look) for look in range(len(way))]
+    worst = max((hypot(x - a, y - b) for (x, y), (a, b, _) in zip(way, true)), default=1000)
+    task.expect(
+        worst < OFF_WAY_CM,
+        expected=f"the corrected way within {OFF_WAY_CM} cm of the true one all along",
+        got=f"{worst:.1f} cm away at its worst",
+        run=run,
+    )
 
 
 @check("The hall at night, with other noise", hint=0)

@@ -111,3 +111,10 @@ def drawn(task):
     share = 100 * len(red) / max(1, len(black))
     wanted = wrong_with(run, lambda t: DRIFTS[-1] * t)
     task.near(share, wanted, 0.2, "the share of red dots on the map of the last drift", run=run)
+    both = len(set(run.layer("free")) & set(black))
+    task.expect(
+        not both,
+        expected="no cell drawn both free and black",
+        got=f"{both} cells are drawn as both: show() wants the free cells first",
+        run=run,
+    )
