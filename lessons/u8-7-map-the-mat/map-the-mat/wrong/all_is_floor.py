@@ -1,4 +1,4 @@
-# earns: of 1373 cells
+# earns: cells (seed 1)
 # Map the mat
 #
 # The robot looks round, finds where free floor meets the
