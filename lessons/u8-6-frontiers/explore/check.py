@@ -1,10 +1,81 @@
 """An explorer behind doors that it has not seen, and the reason that it gives for its end."""
 
-from grader import check
+from math import dist
+
+from grader import check, function
 from mapping.frontiers import frontier_cells
 
 LEFT, SMALL = "no frontier is left", "only small frontiers are left"
 SHUT = "no frontier can be reached"
+
+
+SIDES = [(-1, 0), (1, 0), (0, -1), (0, 1)]
+CORNERS = [(-1, -1), (1, -1), (-1, 1), (1, 1)]
+
+
+def flood(cell, cells, steps):
+    """The cells connected with this one, itself among them."""
+    found = [cell]
+    for column, row in found:
+        beside = [(column + across, row + up) for across, up in steps]
+        found += [each for each in beside if each in cells and each not in found]
+    return set(found)
+
+
+def regions_of(cells):
+    left, regions = set(cells), []
+    while left:
+        regions.append(flood(min(left), left, SIDES + CORNERS))
+        left -= regions[-1]
+    return regions
+
+
+def near(cell, cells):
+    return any(5 * dist(cell, each) < 12 for each in cells)
+
+
+def chosen(large=lambda size: size >= 5, leave=True, steps=SIDES, left=LEFT):
+    """The one goal there is, or the reason why there is none; or what a mistake makes of it."""
+
+    def choose_goal(here, frontier, room, tried):
+        wanted = frontier - tried if leave else frontier
+        regions = [each for each in regions_of(wanted) if large(len(each))]
+        if not (frontier if left == LEFT else wanted):
+            return None, LEFT
+        if not regions:
+            return None, SMALL
+        reached = flood(here, room, steps) if steps else room
+        spots = [cell for cell in reached if any(near(cell, each) for each in regions)]
+        return (min(spots), None) if spots else (None, SHUT)
+
+    return choose_goal
+
+
+choose_goal = function(
+    "choose_goal(here, frontier, room, tried)",
+    chosen(),
+    cell_cm=5,
+    mistakes=[
+        (
+            "cells that were tried count again: take the regions of frontier - tried",
+            chosen(leave=False),
+            0,
+        ),
+        ("a region of exactly MIN_REGION cells is large enough", chosen(lambda size: size > 5), 0),
+        ("small regions count: leave out those of fewer cells", chosen(lambda size: True), 0),
+        ("a cell with room need not be in reach: flood the room from here", chosen(steps=None), 0),
+        (
+            "it goes round corners without room: flood the room by SIDES alone",
+            chosen(steps=SIDES + CORNERS),
+            0,
+        ),
+        (
+            "what was tried is frontier still: none is left only if frontier is empty",
+            chosen(left="no region"),
+            1,
+        ),
+    ],
+)
 
 
 def said(run):
@@ -78,6 +149,43 @@ def _why_not(why, reasons):
     if SHUT in reasons and why == "time is up":
         return "it tries to reach what can't be reached: only cells in reach can be goals"
     return None
+
+
+CORRIDOR = {(column, 2) for column in range(2, 9)}
+END = {(10, row) for row in range(5)}  # two cells from the corridor's last one, three from the next
+
+
+def corridor(task):
+    """The map is handed in, so the robot need not explore for it."""
+    task.set("MAX_TIME", 0)
+
+
+@check("A corridor with one place to look from", hint=0)
+def one_spot(task):
+    corridor(task)
+    here = (2, 2)
+    task.call(choose_goal, here, END, CORRIDOR, set(), gives=((8, 2), None))
+    task.call(choose_goal, here, END | {(2, 19)}, CORRIDOR, {(2, 19)}, gives=((8, 2), None))
+    slanting = {(10 + i, 2 + i) for i in range(5)}
+    task.call(choose_goal, here, slanting, CORRIDOR, set(), gives=((8, 2), None))
+    beyond = {(column, 12) for column in range(12)} | {(6, 0), (6, 1), (6, 3), (6, 4)}
+    task.call(choose_goal, here, beyond | END, CORRIDOR, set(), gives=((8, 2), None))
+    task.call(choose_goal, (8, 2), END, CORRIDOR, set(), gives=((8, 2), None))
+
+
+@check("A corridor without", hint=1)
+def no_spot(task):
+    corridor(task)
+    here = (2, 2)
+    task.call(choose_goal, here, set(), CORRIDOR, set(), gives=(None, LEFT))
+    task.call(choose_goal, here, END - {(10, 2)} - {(10, 0)}, CORRIDOR, set(), gives=(None, SMALL))
+    task.call(choose_goal, here, END - {(10, 0)}, CORRIDOR, set(), gives=(None, SMALL))
+    task.call(choose_goal, here, END, CORRIDOR, {(10, 4)}, gives=(None, SMALL))
+    task.call(choose_goal, here, END, CORRIDOR, END, gives=(None, SMALL))
+    task.call(choose_goal, here, END, CORRIDOR - {(5, 2)}, set(), gives=(None, SHUT))
+    round_a_corner = CORRIDOR - {(5, 2)} | {(5, 3)}
+    task.call(choose_goal, here, END, round_a_corner, set(), gives=(None, SHUT))
+    task.call(choose_goal, here, END, CORRIDOR - {(8, 2)}, set(), gives=(None, SHUT))
 
 
 @check("The doorway, with other noise", hint=0)

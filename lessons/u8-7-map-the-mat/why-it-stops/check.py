@@ -100,6 +100,32 @@ reason = function(
 )
 
 
+OTHER_LIMITS = function(
+    "reason(seconds, driven, regions, ways)",
+    by(
+        large=lambda size: size >= 6,
+        over=lambda driven, lengths: driven + min(lengths) > 700,
+        time=lambda seconds: seconds >= 90,
+    ),
+    mistakes=[
+        (
+            f"{words} was typed in: {name} says it",
+            by(
+                large=lambda size, least=least: size >= least,
+                over=lambda driven, lengths, way=way: driven + min(lengths) > way,
+                time=lambda seconds, longest=longest: seconds >= longest,
+            ),
+            0,
+        )
+        for words, name, least, way, longest in (
+            (LEAST, "MIN_REGION", LEAST, 700, 90),
+            (TIME, "MAX_TIME", 6, 700, TIME),
+            (WAY, "MAX_WAY", 6, WAY, 90),
+        )
+    ],
+)
+
+
 @check("Time is up, or nothing is left", hint=0)
 def plain(task):
     task.call(reason, 200, 500, [12], [90], gives="time is up")
@@ -136,3 +162,14 @@ def many(task):
         ways = [task.random.choice([None, 0, 40, 90, 200, 400]) for _ in range(count)]
         seconds, driven = task.random.randrange(20, 210), task.random.randrange(0, 1600)
         task.call(reason, seconds, driven, sizes, ways)
+
+
+@check("Other limits", hint=2)
+def other_limits(task):
+    task.set("MIN_REGION", 6)
+    task.set("MAX_TIME", 90)
+    task.set("MAX_WAY", 700)
+    task.call(OTHER_LIMITS, 90, 100, [9], [50], gives="time is up")
+    task.call(OTHER_LIMITS, 89, 100, [5, 4], [50, 50], gives="only small frontiers are left")
+    task.call(OTHER_LIMITS, 60, 650, [6], [51], gives="the rest is too far")
+    task.call(OTHER_LIMITS, 60, 650, [6], [50], gives=None)
