@@ -113,6 +113,21 @@ find_frontier = function(
 )
 
 
+SMALL_MAT = {(column, row) for column in range(10) for row in range(10)}
+ON_A_SMALL_MAT = function(
+    "find_frontier(free, occupied)",
+    lambda free, occupied: beside(free, SMALL_MAT - free - occupied),
+    cell_cm=20,
+    mistakes=[
+        (
+            "20 was typed in: ACROSS says how many cells lie side by side",
+            lambda free, occupied: beside(free, CELLS - free - occupied),
+            1,
+        ),
+    ],
+)
+
+
 def some_map(task, share):
     cells = sorted(CELLS)
     task.random.shuffle(cells)
@@ -146,3 +161,10 @@ def few(task):
 def strewn(task):
     for share in (0.2, 0.5, 0.7):
         task.call(find_frontier, *some_map(task, share))
+
+
+@check("A mat of 10 by 10 cells", hint=1)
+def small_mat(task):
+    task.set("ACROSS", 10)
+    task.call(ON_A_SMALL_MAT, SMALL_MAT, set(), gives=set())
+    task.call(ON_A_SMALL_MAT, SMALL_MAT - {(9, 9)}, set(), gives={(8, 9), (9, 8)})

@@ -1,4 +1,4 @@
-# earns: there are large frontiers behind the hatch
+# earns: that is a reason of its own
 # Explore
 #
 # The robot maps, finds where free floor meets the

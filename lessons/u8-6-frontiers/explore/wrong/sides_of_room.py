@@ -1,4 +1,4 @@
-# earns: it says that nothing can be reached
+# earns: it looks from its own cell alone
 # Explore
 #
 # The robot maps, finds where free floor meets the
