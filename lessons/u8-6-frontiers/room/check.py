@@ -120,7 +120,9 @@ exact = of(
         )
     ],
 )
+close = others(4.8)  # 7.3 cm: a little more than to a cell at a corner
 coarse = others(6, cell=10)  # the mat has 20 of them in a row
+fine = others(6, cell=2.5)
 
 
 def some_floor(task, across=40):
@@ -159,6 +161,8 @@ def sizes(task):
     task.call(wide, some_floor(task))
     task.set("SPARE", 2)
     task.call(slim, some_floor(task))
+    task.set("SPARE", 4.8)
+    task.call(close, some_floor(task))
 
 
 @check("A cell just far enough away", hint=0)
@@ -167,7 +171,9 @@ def just(task):
     task.call(exact, some_floor(task))
 
 
-@check("Cells of 10 cm", hint=2)
-def larger(task):
+@check("Cells of 10 cm, and of 2.5 cm", hint=2)
+def of_other_sizes(task):
     task.set("CELL", 10)
     task.call(coarse, some_floor(task, 20))
+    task.set("CELL", 2.5)
+    task.call(fine, {(column, row) for column in range(20, 40) for row in range(12)})

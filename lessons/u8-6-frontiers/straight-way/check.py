@@ -11,12 +11,12 @@ from mapping.frontiers import gap_to_walls
 SPARE = 6
 
 
-def middles(walls):
-    return [((column + 0.5) * 5, (row + 0.5) * 5) for column, row in walls]
+def middles(walls, cell=5):
+    return [((column + 0.5) * cell, (row + 0.5) * cell) for column, row in walls]
 
 
-def clear(start, goal, walls, spare=SPARE):
-    return gap_to_walls(middles(walls), 5, start, goal) >= spare
+def clear(start, goal, walls, spare=SPARE, cell=5):
+    return gap_to_walls(middles(walls, cell), cell, start, goal) >= spare
 
 
 def beyond(start, goal, share=3):
@@ -40,10 +40,10 @@ def in_steps(count):
     )
 
 
-def of(spare, mistakes):
+def of(spare, mistakes, cell=5):
     return function(
         "straight_way(start, goal, walls)",
-        lambda start, goal, walls: clear(start, goal, walls, spare),
+        lambda start, goal, walls: clear(start, goal, walls, spare, cell),
         mistakes=mistakes,
     )
 
@@ -136,6 +136,19 @@ wide = of(
 )
 
 
+coarse = of(
+    SPARE,
+    [
+        (
+            "5 was typed in: CELL says how wide a cell is",
+            lambda start, goal, walls: clear(start, goal, walls),
+            0,
+        ),
+    ],
+    cell=20,
+)
+
+
 @check("A wall across the route, or none", hint=1)
 def across(task):
     wall = {(column, 24) for column in range(12, 28)}
@@ -159,6 +172,16 @@ def just(task):
     # The goal is straight below a wall cell's middle, 8.5 cm away from it.
     task.call(straight_way, (20, 94), (102.5, 94), {(20, 20)}, gives=True)
     task.call(straight_way, (20, 94.1), (102.5, 94.1), {(20, 20)}, gives=False)
+
+
+@check("A wall just before the goal, or just behind it", hint=1)
+def at_the_goal(task):
+    # The wall cell's middle is at (102.5, 102.5), so x = 94 is exactly SPARE away from it.
+    task.call(straight_way, (60.3, 102.5), (94.1, 102.5), {(20, 20)}, gives=False)
+    task.call(straight_way, (60.3, 102.5), (93.9, 102.5), {(20, 20)}, gives=True)
+    task.call(straight_way, (102.5, 144.7), (102.5, 110.9), {(20, 20)}, gives=False)
+    task.call(straight_way, (93.5, 102.5), (94.1, 102.5), {(20, 20)}, gives=False)
+    task.call(straight_way, (93.3, 102.5), (93.9, 102.5), {(20, 20)}, gives=True)
 
 
 @check("Through a doorway", hint=2)
@@ -206,5 +229,18 @@ def many(task):
 @check("A wider robot", hint=0)
 def wider(task):
     task.set("SPARE", 11)
+    wall = {(20, row) for row in range(10, 30)}  # from x = 100 to 105
+    task.call(wide, (93, 20), (93, 180), wall, gives=False)
+    task.call(wide, (88, 20), (88, 180), wall, gives=True)
     for _ in range(10):
         task.call(wide, *some_line(task, 11))
+
+
+@check("Cells of 20 cm", hint=0)
+def larger_cells(task):
+    task.set("CELL", 20)
+    # The wall cell is a disc of 10 cm round (90, 110): 16 cm are wanted from its middle.
+    task.call(coarse, (20, 93), (180, 93), {(4, 5)}, gives=True)
+    task.call(coarse, (20, 95), (180, 95), {(4, 5)}, gives=False)
+    task.call(coarse, (73, 20), (73, 180), {(4, 5)}, gives=True)
+    task.call(coarse, (75, 20), (75, 180), {(4, 5)}, gives=False)

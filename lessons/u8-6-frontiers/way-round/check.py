@@ -157,6 +157,7 @@ def open_floor(task):
     task.call(find_way, (3, 3), (6, 3), CELLS, gives=[(3, 3), (4, 3), (5, 3), (6, 3)])
     task.call(find_way, (3, 3), (5, 5), CELLS, gives=[(3, 3), (4, 4), (5, 5)])
     task.call(find_way, (4, 7), (4, 7), CELLS, gives=[(4, 7)])
+    task.call(find_way, (3, 3), (4, 3), {(3, 3), (4, 3)}, gives=[(3, 3), (4, 3)])
 
 
 @check("Round a wall", hint=2)
