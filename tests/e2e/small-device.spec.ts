@@ -96,7 +96,8 @@ test("where a page may not even ask for storage everything else works, and it sa
     }
   });
   await app.openLab("world=empty");
-  await app.runToEnd("print('not kept')\n");
-  await expect(app.console).toContainText("not kept");
+  await app.write("print('not kept')\n");
   await expect(app.status).toContainText("does not let the site keep your program");
+  await app.run.click();
+  await expect(app.console).toContainText("not kept");
 });

@@ -141,7 +141,7 @@ export class Runtime extends EventTarget {
 
   /** Many short runs are coming: have so many interpreters to spare. 1 gives the others back. */
   expect(spares: number): void {
-    this.#pool?.hold(this.isSmall ? 1 : spares);
+    this.#pool?.hold(this.isSmall ? 0 : spares);
     // A failure shows when an interpreter is needed.
     if (this.#state === "ready") this.#pool?.prepare().catch(() => {});
   }
@@ -149,6 +149,8 @@ export class Runtime extends EventTarget {
   async #start(): Promise<void> {
     const assets = new Assets(obstacle(globalThis));
     const pool = new Pool(() => assets.boot());
+    // None but the one that is asked for.
+    if (this.isSmall) pool.hold(0);
     this.#assets = assets;
     this.#pool = pool;
     assets.progress.addEventListener("change", () => this.#changed());
