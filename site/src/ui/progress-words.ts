@@ -19,7 +19,7 @@ export const progressWords = {
     "This browser does not let the site keep your progress, so it lasts until you leave. Save it as a file to keep it.",
   notFile: (name: string, why: string) => `${name} was not opened: ${why}`,
   tooMany: (most: number) =>
-    `together with what is here that would be more than ${most.toLocaleString("en-GB")} tasks. Nothing has changed.`,
+    `together with what is here that would be more than ${counted(most, "task")}. Nothing has changed.`,
   unread: {
     newer:
       "This device has progress from a newer version of this site. It stays as it is; what you do now is kept beside it. Reload the page to get the newer version.",
