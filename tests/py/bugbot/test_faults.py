@@ -215,7 +215,7 @@ def test_a_group_raised_inside_a_library_takes_the_line_of_its_first_part() -> N
         parts.append(error)
     fault = fault_of(ExceptionGroup("g", parts), "def f():\n    1 / 0\n", "program.py")
     assert fault.line == 2
-    assert fault.message == "1 errors at once: ZeroDivisionError: division by zero"
+    assert fault.message == "1 error at once: ZeroDivisionError: division by zero"
 
 
 def test_an_error_from_nowhere_has_no_line() -> None:

@@ -81,7 +81,11 @@ SOLUTION = (TINY / "one-step/step-up/solution.py").read_text()
             "step-up/solution.py: the solution fails: Up by 20 cm: expected y at the end is 60",
         ),
         (
-            put("step-up/solution.py", SOLUTION + "if odometry()[2] % 360 > 180:\n    wait(60)\n"),
+            # Noise comes from the text: with this one the first noise does no harm.
+            put(
+                "step-up/solution.py",
+                SOLUTION + "if odometry()[2] % 360 > 180:\n    wait(60)\n# 3\n",
+            ),
             "step-up/solution.py: the solution fails with seeds 1000 higher",
         ),
         (
