@@ -167,7 +167,9 @@ export class Marker {
     const note = (text: string) => this.#listeners.onNote?.(text);
     const given = judges ? JUDGING : [];
     if (judges) {
-      const bytes = await this.#modules.judging();
+      // The judge imports more of the standard library than a first run needs.
+      const [stdlib, bytes] = await Promise.all([this.#modules.stdlib(), this.#modules.judging()]);
+      partner.send({ kind: "stdlib", bytes: stdlib });
       partner.send({ kind: "package", name: "judging", bytes });
     }
     const died = await provideModules(partner, source, this.#modules, note, given);

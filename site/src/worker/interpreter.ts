@@ -136,7 +136,7 @@ export function installStdlib(pyodide: PyodideAPI, bytes: ArrayBuffer): void {
 }
 
 export function installWheel(pyodide: PyodideAPI, bytes: ArrayBuffer): void {
-  pyodide.unpackArchive(bytes, "wheel");
+  pyodide.unpackArchive(bytes, "wheel", { extractDir: SITE_PACKAGES });
   pyodide.runPython("import importlib; importlib.invalidate_caches(); del importlib");
 }
 
