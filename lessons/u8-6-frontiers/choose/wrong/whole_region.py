@@ -1,4 +1,4 @@
-# earns: 'set' object is not subscriptable
+# earns: that is the region: its nearest cell is wanted
 # Where to go
 #
 # Three regions of frontier cells are given, and the

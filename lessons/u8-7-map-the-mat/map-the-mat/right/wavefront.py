@@ -232,3 +232,5 @@ why = explore()
 stop()
 show()
 print(f"The robot stops: {why}.")
+
+# The wave is begun anew at every goal.
