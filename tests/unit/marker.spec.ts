@@ -55,7 +55,7 @@ class Hand implements Partner {
   send(message: ToWorker): void {
     if (this.ended) throw new Error("an interpreter that is ended was spoken to");
     this.told.push(message);
-    if (message.kind === "package") return;
+    if (message.kind === "package" || message.kind === "stdlib") return;
     const answer =
       message.kind === "inspect"
         ? ({ kind: "imports", id: 0, missing: [], hasStdlib: true } as const)
@@ -100,7 +100,7 @@ function marking(steps: readonly string[], perform: Script = done, oneAtATime = 
       oneAtATime,
     },
     {
-      stdlib: () => Promise.reject(),
+      stdlib: async () => new ArrayBuffer(8),
       numpy: () => Promise.reject(),
       judging: async () => new ArrayBuffer(8),
     },
