@@ -88,7 +88,7 @@ async function inPyodide() {
   const wheel = await numpyWheel((text) => console.log(text));
   python.unpackArchive(new Uint8Array(wheel.bytes), "wheel");
   const site = "/home/pyodide/ours";
-  for (const name of ["bugbot", "performer", "mapping", "grader"]) {
+  for (const name of ["bugbot", "performer", "mapping", "sandbox", "grader"]) {
     for (const file of filesBelow(join(ROOT, "py", name), (path) => /\.(py|json)$/.test(path))) {
       const path = `${site}/${name}/${file}`;
       python.FS.mkdirTree(path.slice(0, path.lastIndexOf("/")));
