@@ -6,9 +6,6 @@ import json
 import signal
 import time
 from collections.abc import Callable
-from typing import Any
-
-from pyodide.ffi import to_js  # type: ignore[import-not-found]  # exists only in the browser
 
 from bridge.imports import missing_modules
 from bridge.kept import Kept
@@ -31,7 +28,7 @@ FLUSH_SECONDS = 0.016
 class _Sender:
     """Sends what a trace has gathered, at most once a frame."""
 
-    def __init__(self, send: Callable[[str, Any], None], kept: Kept) -> None:
+    def __init__(self, send: Callable[[str, bytes], None], kept: Kept) -> None:
         self._send = send
         self._kept = kept
         self._trace: Trace | None = None
@@ -47,7 +44,7 @@ class _Sender:
     def flush(self) -> None:
         if self._trace is not None:
             events, points = self._trace.take()
-            self._send(events, to_js(points))
+            self._send(events, points)
             self._kept.sent()
         self._sent_at = real_time()
 
@@ -57,14 +54,14 @@ def run(
     world_json: str,
     seed: int,
     limits_json: str,
-    send: Callable[[str, Any], None],
+    send: Callable[[str, bytes], None],
     begin: Callable[[float, str], None],
     keep: Callable[[str], None],
     still: Callable[[int], None],
 ) -> None:
     """Run a program and send its trace; the last chunk holds the end event.
 
-    `send(events, points)` takes the rows as JSON text and the new points as a Uint8Array.
+    `send(events, points)` takes the rows as JSON text and the bytes of the new points.
     `begin(t, stream)` and `keep(text)` hear of what is printed at once, in case the interpreter
     breaks before it is sent. `still(line)` hears on which line the program computes while no
     simulated time passes.

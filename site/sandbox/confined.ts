@@ -6,14 +6,12 @@
  * bundles the script that imports this and puts what is read beside it.
  */
 import { readFileSync } from "node:fs";
-import type { PyodideAPI } from "pyodide";
-import { startInterpreter } from "../src/worker/interpreter.ts";
+import { type Sealed, seal, startInterpreter } from "../src/worker/interpreter.ts";
 import { LastWords } from "../src/worker/last-words.ts";
-import { CLOSE_IMPORTS, lockDown } from "../src/worker/lockdown.ts";
 import { closeGlobals, closeNetwork } from "./node-fences.mjs";
 
 export interface Confined {
-  pyodide: PyodideAPI;
+  sealed: Sealed;
   /** NumPy's archive, for programs that import it. */
   numpy: ArrayBuffer;
   lastWords: LastWords;
@@ -37,9 +35,7 @@ export async function startConfined(imports: readonly string[]): Promise<Confine
     lastWords,
   );
   for (const name of imports) pyodide.pyimport(name);
-  pyodide.runPython(CLOSE_IMPORTS);
-  lockDown();
-  return { pyodide, numpy, lastWords };
+  return { sealed: seal(pyodide, lastWords), numpy, lastWords };
 }
 
 /** A file beside this script, as a buffer of its own. */

@@ -7,7 +7,6 @@
  *         if the interpreter broke, or "failed WORDS" for a fault of ours
  */
 import { readFileSync, writeSync } from "node:fs";
-import { installWheel } from "../src/worker/interpreter.ts";
 import { startConfined } from "./confined.ts";
 
 interface Session {
@@ -34,14 +33,14 @@ function say(text: string): void {
 }
 
 async function main(): Promise<void> {
-  const { pyodide, numpy, lastWords } = await startConfined(["bridge.session", "bridge.marking"]);
+  const { sealed, numpy, lastWords } = await startConfined(["bridge.session", "bridge.marking"]);
   try {
-    const session = pyodide.pyimport("bridge.session") as Session;
-    const marking = pyodide.pyimport("bridge.marking") as Marking;
+    const session = sealed.module("bridge.session") as Session;
+    const marking = sealed.module("bridge.marking") as Marking;
     say("ready");
     const request: unknown = JSON.parse(readFileSync(0, "utf8"));
     const { job, program } = request as { job: object; program: string };
-    if (session.missing_modules(program).toJs().includes("numpy")) installWheel(pyodide, numpy);
+    if (session.missing_modules(program).toJs().includes("numpy")) sealed.installWheel(numpy);
     say("begun");
     const beat = (t: number): void => say(`beat ${Number(t)}`);
     say(`result ${marking.perform(JSON.stringify(job), program, beat)}`);

@@ -17,12 +17,23 @@ def run(program):
         except BaseException as error:
             print(type(error).__name__, error)
     return said.getvalue()
-run
 `;
 
+interface Scope {
+  get(name: "run"): (program: string) => string;
+}
+
+interface Builtins {
+  dict(): Scope;
+  exec(program: string, scope: Scope): void;
+}
+
 const exit = process.exit.bind(process);
-const { pyodide } = await startConfined([]);
-const run = pyodide.runPython(RUN) as (program: string) => string;
+const { sealed } = await startConfined([]);
+const builtins = sealed.module("builtins") as Builtins;
+const scope = builtins.dict();
+builtins.exec(RUN, scope);
+const run = scope.get("run");
 const ways = JSON.parse(readFileSync(0, "utf8")) as { name: string; program: string }[];
 const said: Record<string, string> = {};
 for (const { name, program } of ways) {

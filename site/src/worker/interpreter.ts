@@ -5,8 +5,10 @@
 import type { PyodideAPI } from "pyodide";
 import type { Boot } from "../runtime/messages.ts";
 import type { LastWords } from "./last-words.ts";
-import { bareGlobals } from "./lockdown.ts";
+import { bareGlobals, lockDown } from "./lockdown.ts";
+import { sealBuiltins } from "./seal-python.ts";
 import { Snapshot } from "./snapshot-pages.mjs";
+import { WasmGate } from "./wasm-gate.ts";
 
 const SITE_PACKAGES = "/lib/python3.14/site-packages";
 const STDLIB_ARCHIVE = "/lib/python314.zip";
@@ -51,7 +53,7 @@ export async function startInterpreter(boot: Boot, lastWords: LastWords): Promis
     import(/* @vite-ignore */ `${boot.pyodideUrl}pyodide.asm.mjs`) as Promise<{ default: Factory }>,
   ]);
   const errorMarker = await makeErrorMarker();
-  compileEachOnce();
+  wasmGate.install();
   const snapshot = boot.snapshot && new Snapshot(await boot.snapshot.arrayBuffer());
   // The loader waits for an instance and has no ear for there being none.
   let noInstance: (error: unknown) => void = () => {};
@@ -106,6 +108,8 @@ export function writePythonStack(pyodide: PyodideAPI): void {
   }
 }
 
+const wasmGate = new WasmGate();
+
 const LOOK_EVERY_MS = 100;
 const SIGINT = 2;
 const realTime = performance.now.bind(performance);
@@ -128,16 +132,59 @@ export function lookAtTheClock(pyodide: PyodideAPI): void {
   pyodide.setInterruptBuffer(presses as unknown as Uint8Array);
 }
 
-/** Put the standard library's archive where the interpreter looks for it. */
-export function installStdlib(pyodide: PyodideAPI, bytes: ArrayBuffer): void {
-  pyodide.FS.writeFile(STDLIB_ARCHIVE, new Uint8Array(bytes));
-  // The snapshot has no directory of the archive, or that of the empty one.
-  pyodide.runPython("import importlib; importlib.invalidate_caches(); del importlib");
+/** `bridge.packages`, as far as it is called from here. */
+interface Packages {
+  unpack(archive: Uint8Array): void;
+  found_anew(): void;
 }
 
-export function installWheel(pyodide: PyodideAPI, bytes: ArrayBuffer): void {
-  pyodide.unpackArchive(bytes, "wheel", { extractDir: SITE_PACKAGES });
-  pyodide.runPython("import importlib; importlib.invalidate_caches(); del importlib");
+/** An interpreter that a stranger's program may be given, and what is done for it from outside. */
+export interface Sealed {
+  /** A module of ours; imported now if it has not been. */
+  module(name: string): unknown;
+  /** Put the standard library's archive where the interpreter looks for it. */
+  installStdlib(bytes: ArrayBuffer): void;
+  installWheel(bytes: ArrayBuffer): void;
+  /** What of the global scope could not be taken away. */
+  left: readonly string[];
+}
+
+/**
+ * Takes everything from a started interpreter that leads out of it. From now on it imports nothing of
+ * Pyodide's, and runs no text as Python but the program.
+ */
+export function seal(pyodide: PyodideAPI, lastWords: LastWords): Sealed {
+  const { import_module: module } = pyodide.pyimport("importlib") as {
+    import_module(name: string): unknown;
+  };
+  const packages = module("bridge.packages") as Packages;
+  (module("bridge.seal") as { seal(): void }).seal();
+  sealBuiltins(pyodide);
+  wasmGate.close();
+  const left = lockDown((text) => lastWords.hear(text));
+  return {
+    module,
+    installStdlib(bytes) {
+      pyodide.FS.writeFile(STDLIB_ARCHIVE, new Uint8Array(bytes));
+      // The snapshot has no directory of the archive, or that of the empty one.
+      packages.found_anew();
+    },
+    installWheel(bytes) {
+      packages.unpack(new Uint8Array(bytes));
+      for (const library of librariesBelow(pyodide, SITE_PACKAGES)) wasmGate.expect(library);
+    },
+    left,
+  };
+}
+
+/** The files of a folder, and below it, that are WebAssembly: as they are now, before a program runs. */
+function* librariesBelow(pyodide: PyodideAPI, folder: string): Generator<Uint8Array> {
+  for (const name of pyodide.FS.readdir(folder) as string[]) {
+    if (name === "." || name === "..") continue;
+    const path = `${folder}/${name}`;
+    if (pyodide.FS.isDir(pyodide.FS.stat(path).mode)) yield* librariesBelow(pyodide, path);
+    else if (name.endsWith(".so")) yield pyodide.FS.readFile(path) as Uint8Array;
+  }
 }
 
 /** The loader asks for two files that we already have; nothing else gets an answer. */
@@ -151,29 +198,6 @@ function answerFetchesFrom(boot: Boot): void {
     }
     return Promise.reject(new Error(`A worker fetches nothing: ${url}`));
   };
-}
-
-/** Modules of this size are the loader's own little ones [bytes]. */
-const LITTLE_MODULE = 100;
-
-/**
- * The loader makes 260 little modules, one for each of its functions that Python may call, and a
- * dozen of them differ. A module that has been compiled is given out again.
- */
-function compileEachOnce(): void {
-  const compiled = new Map<string, WebAssembly.Module>();
-  WebAssembly.Module = new Proxy(WebAssembly.Module, {
-    construct(Module, given: [BufferSource]) {
-      const [bytes] = given;
-      if (!(bytes instanceof Uint8Array) || bytes.length > LITTLE_MODULE) {
-        return new Module(...given);
-      }
-      const key = bytes.join();
-      const module = compiled.get(key) ?? new Module(bytes as Uint8Array<ArrayBuffer>);
-      compiled.set(key, module);
-      return module;
-    },
-  });
 }
 
 async function makeErrorMarker(): Promise<WebAssembly.ModuleImports> {

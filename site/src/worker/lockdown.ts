@@ -1,49 +1,13 @@
 /**
- * Takes away from a worker what a learner's program has no business with: network, storage, other
- * workers, code made from text, and messages that pose as ours.
+ * Makes a worker's JavaScript powerless before a learner's program runs in it: of the global scope only
+ * what is allowed by name is left, and all that is left is frozen.
  *
- * A program may come from a link that somebody sent, and Python's objects lead to JavaScript's.
- * This is one of two fences; the Content-Security-Policy is the other. Neither relies on the other.
- * Imports nothing of ours.
+ * A program may come from a link that somebody sent, and Python's objects can lead to JavaScript's: so
+ * nothing worth reaching is there. This is one of two fences; the frame's policy is the other
+ * (`runtime/frame.ts`). Neither relies on the other.
  */
-
-/** Globals of a worker that reach beyond it. Missing ones do no harm. */
-const FORBIDDEN = [
-  // network
-  "fetch",
-  "fetchLater",
-  "XMLHttpRequest",
-  "WebSocket",
-  "WebSocketStream",
-  "EventSource",
-  "WebTransport",
-  "RTCPeerConnection",
-  "Request",
-  "importScripts",
-  // storage
-  "indexedDB",
-  "webkitIndexedDB",
-  "caches",
-  "cookieStore",
-  "FileReaderSync",
-  "StorageManager",
-  // other contexts
-  "Worker",
-  "SharedWorker",
-  "BroadcastChannel",
-  "MessageChannel",
-  "navigator",
-  "Notification",
-  "postMessage",
-  "close",
-  "onmessage",
-  "onmessageerror",
-  "addEventListener",
-  "dispatchEvent",
-  "location",
-  // code from text
-  "eval",
-];
+import { ALLOWED, ALLOWED_OF_WASM } from "./allowed.ts";
+import { freezeAll } from "./freeze.ts";
 
 /** What Pyodide itself looks up by name while programs run; everything else is out of sight. */
 export function bareGlobals(): object {
@@ -54,42 +18,77 @@ export function bareGlobals(): object {
   });
 }
 
-/** Remove the forbidden globals and every way from a function to `new Function`. For good. */
-export function lockDown(): void {
-  for (const name of FORBIDDEN) {
-    for (let holder: object | null = self; holder; holder = Object.getPrototypeOf(holder)) {
-      Reflect.deleteProperty(holder, name);
-    }
-    Reflect.defineProperty(self, name, { value: undefined, writable: false, configurable: false });
+/**
+ * For good. `hear` is told what the console is told.
+ * @returns the names on the global scope, and along its prototypes, that are not allowed and could not be
+ *   taken away: none in the engines we know
+ */
+export function lockDown(hear: (text: string) => void): string[] {
+  const scope: object = globalThis;
+  giveOurOwn(scope, hear);
+  const left = removeAllBut(ALLOWED, scope);
+  for (
+    let above = Reflect.getPrototypeOf(scope);
+    above !== null && above !== Object.prototype;
+    above = Reflect.getPrototypeOf(above)
+  ) {
+    left.push(...removeAllBut(new Set(), above));
+    Object.preventExtensions(above);
   }
+  left.push(...removeAllBut(ALLOWED_OF_WASM, WebAssembly));
+  refuseCodeFromText(scope);
+  const kept = Reflect.ownKeys(scope).map((key) => Reflect.get(scope, key));
+  freezeAll(kept.filter((value) => value !== scope));
+  for (const key of Reflect.ownKeys(scope)) {
+    Reflect.defineProperty(scope, key, { writable: false, configurable: false });
+  }
+  Reflect.preventExtensions(scope);
+  return left;
+}
 
-  // Pyodide asks `x instanceof Function`, so the name must stay and keep its prototype.
-  const refuse = function refuse(): never {
-    throw new TypeError("Making code from text is switched off here");
+/** Takes from a holder what is not allowed; what stays all the same becomes undefined if it can. */
+function removeAllBut(allowed: ReadonlySet<string>, holder: object): string[] {
+  const left = [];
+  for (const key of Reflect.ownKeys(holder)) {
+    if (typeof key === "string" && allowed.has(key)) continue;
+    if (Reflect.deleteProperty(holder, key)) continue;
+    Reflect.defineProperty(holder, key, { value: undefined, writable: false });
+    left.push(String(key));
+  }
+  return left;
+}
+
+/** Small objects in the place of the browser's own, with just what Pyodide uses of them. */
+function giveOurOwn(scope: object, hear: (text: string) => void): void {
+  const { setTimeout, clearTimeout, performance, crypto } = globalThis;
+  const { timeOrigin } = performance;
+  const say = (...parts: unknown[]): void => hear(parts.map(String).join(" "));
+  const own = {
+    // A text would be carried out as code; and what is called is not told whose timer it was.
+    setTimeout: (callback: unknown, ms?: number, ...given: unknown[]) => {
+      if (typeof callback !== "function") throw new TypeError("A timer calls a function");
+      return setTimeout(() => callback(...given), ms);
+    },
+    clearTimeout: (id: number) => clearTimeout(id),
+    performance: { now: () => performance.now(), timeOrigin },
+    crypto: { getRandomValues: (bytes: Uint8Array<ArrayBuffer>) => crypto.getRandomValues(bytes) },
+    console: { debug: say, error: say, info: say, log: say, trace: say, warn: say },
   };
-  refuse.prototype = Function.prototype;
-  Object.defineProperty(self, "Function", {
-    value: refuse,
-    writable: false,
-    configurable: false,
-  });
-  const kinds = [() => {}, async () => {}, function* () {}, async function* () {}];
-  for (const kind of kinds) {
-    Object.defineProperty(Object.getPrototypeOf(kind), "constructor", {
-      value: refuse,
-      writable: false,
-      configurable: false,
-    });
+  for (const [name, value] of Object.entries(own)) {
+    Object.defineProperty(scope, name, { value, writable: true, configurable: true });
   }
 }
 
-/** Python run once after loading: the modules that lead to JavaScript can't be imported any more. */
-export const CLOSE_IMPORTS = `
-import sys
-from _pyodide._importhook import jsfinder
-jsfinder.jsproxies.clear()
-for _name in list(sys.modules):
-    if _name.partition(".")[0] in ("js", "pyodide_js"):
-        del sys.modules[_name]
-del _name, jsfinder, sys
-`;
+/** Every way from a function to `new Function`. */
+function refuseCodeFromText(scope: object): void {
+  const refuse = function refuse(): never {
+    throw new TypeError("Making code from text is switched off here");
+  };
+  // Pyodide asks `x instanceof Function`, so the name must stay and keep its prototype.
+  refuse.prototype = Function.prototype;
+  Object.defineProperty(scope, "Function", { value: refuse, configurable: true });
+  for (const kind of [() => {}, async () => {}, function* () {}, async function* () {}]) {
+    const prototype = Object.getPrototypeOf(kind);
+    Object.defineProperty(prototype, "constructor", { value: refuse, configurable: true });
+  }
+}

@@ -9,14 +9,13 @@
 import type { PyodideAPI } from "pyodide";
 import type { Boot, FromWorker, ToWorker } from "../runtime/messages.ts";
 import {
-  installStdlib,
-  installWheel,
   lookAtTheClock,
+  type Sealed,
+  seal,
   startInterpreter,
   writePythonStack,
 } from "./interpreter.ts";
 import { LastWords } from "./last-words.ts";
-import { CLOSE_IMPORTS, lockDown } from "./lockdown.ts";
 import { undoFilters } from "./png-rows.ts";
 
 /** `bridge.session`, as far as it is called from here. */
@@ -27,7 +26,7 @@ interface Session {
     worldJson: string,
     seed: number,
     limitsJson: string,
-    send: (events: string, points: Uint8Array) => void,
+    send: (events: string, points: PythonBytes) => void,
     begin: (t: number, stream: string) => void,
     keep: (text: string) => void,
     still: (line: number) => void,
@@ -74,7 +73,10 @@ self.onmessage = (event: MessageEvent<Boot>) => {
 
 class Interpreter {
   #port: MessagePort;
+  /** Bound now: what a program may plant later has no say in what is sent. */
+  #post: (message: FromWorker, transfer: Transferable[]) => void;
   #pyodide: PyodideAPI | null = null;
+  #sealed: Sealed | null = null;
   #session: Session | null = null;
   #judge: Judge | null = null;
   #hasStdlib: boolean;
@@ -84,6 +86,7 @@ class Interpreter {
 
   constructor(port: MessagePort, boot: Boot) {
     this.#port = port;
+    this.#post = port.postMessage.bind(port);
     this.#hasStdlib = boot.stdlib !== null;
     this.#start(boot).catch((error: unknown) => this.#fail(error));
   }
@@ -92,22 +95,23 @@ class Interpreter {
     const pyodide = await startInterpreter(boot, this.#lastWords);
     this.#pyodide = pyodide;
     this.#session = pyodide.pyimport("bridge.session") as Session;
-    pyodide.runPython(CLOSE_IMPORTS);
-    lockDown();
+    const sealed = seal(pyodide, this.#lastWords);
+    this.#sealed = sealed;
     this.#port.onmessage = (event: MessageEvent<ToWorker>) => this.#receive(event.data);
     this.#send({ kind: "ready" });
   }
 
   #receive(message: ToWorker): void {
     const pyodide = this.#pyodide;
+    const sealed = this.#sealed;
     const session = this.#session;
-    if (!pyodide || !session) return;
+    if (!pyodide || !sealed || !session) return;
     try {
       if (message.kind === "stdlib") {
-        if (!this.#hasStdlib) installStdlib(pyodide, message.bytes);
+        if (!this.#hasStdlib) sealed.installStdlib(message.bytes);
         this.#hasStdlib = true;
       } else if (message.kind === "package") {
-        installWheel(pyodide, message.bytes);
+        sealed.installWheel(message.bytes);
       } else if (message.kind === "inspect") {
         const names = session.missing_modules(message.program);
         const missing = names.toJs();
@@ -116,9 +120,9 @@ class Interpreter {
       } else if (message.kind === "run") {
         this.#run(pyodide, session, message);
       } else if (message.kind === "convert") {
-        this.#convert(pyodide.pyimport("bridge.ros") as Ros, message);
+        this.#convert(sealed.module("bridge.ros") as Ros, message);
       } else {
-        this.#mark(pyodide, message);
+        this.#mark(sealed, message);
       }
     } catch (error) {
       this.#fail(error);
@@ -148,7 +152,7 @@ class Interpreter {
       request.seed,
       JSON.stringify(request.limits),
       (events, points) => {
-        const buffer = points.slice().buffer;
+        const buffer = withData(points, (data) => data.slice().buffer as ArrayBuffer);
         this.#unsent.clear();
         this.#send({ kind: "chunk", id, events, points: buffer }, [buffer]);
       },
@@ -160,17 +164,17 @@ class Interpreter {
     this.#runId = null;
   }
 
-  #mark(pyodide: PyodideAPI, message: MarkingMessage): void {
+  #mark(sealed: Sealed, message: MarkingMessage): void {
     const { id } = message;
     if (message.kind === "perform") {
-      const marking = pyodide.pyimport("bridge.marking") as Marking;
+      const marking = sealed.module("bridge.marking") as Marking;
       const beat = (t: number): void => this.#send({ kind: "beat", id, t });
       const result = marking.perform(message.job, message.program, beat);
       this.#send({ kind: "performed", id, result });
       return;
     }
     if (message.kind === "judge") {
-      const judging = pyodide.pyimport("bridge.judging") as Judging;
+      const judging = sealed.module("bridge.judging") as Judging;
       this.#judge = judging.Judge(message.request);
     } else for (const result of message.results) this.#judge?.hear(result);
     if (!this.#judge) throw new Error("results came before there was a judge to hear them");
@@ -199,7 +203,7 @@ class Interpreter {
   }
 
   #send(message: FromWorker, transfer: Transferable[] = []): void {
-    this.#port.postMessage(message, transfer);
+    this.#post(message, transfer);
   }
 }
 

@@ -1,0 +1,25 @@
+"""Unpacks what the page has sent: packages that a program imports, after the interpreter was made."""
+
+from __future__ import annotations
+
+import importlib
+import io
+from typing import Any
+
+__all__ = ["found_anew", "unpack"]
+
+SITE_PACKAGES = "/lib/python3.14/site-packages"
+
+
+def unpack(archive: Any) -> None:
+    """Unpack a wheel, which comes as a Uint8Array."""
+    import zipfile  # it is in the standard library's archive, not in the snapshot
+
+    with zipfile.ZipFile(io.BytesIO(archive.to_bytes())) as wheel:
+        wheel.extractall(SITE_PACKAGES)
+    found_anew()
+
+
+def found_anew() -> None:
+    """Have the interpreter look at its folders and archives again."""
+    importlib.invalidate_caches()
