@@ -1,4 +1,4 @@
-"""Unpacks what the page has sent: packages that a program imports, after the interpreter was made."""
+"""Unpacks packages that the page has sent, into an interpreter that is up."""
 
 from __future__ import annotations
 

@@ -1,8 +1,9 @@
-"""Takes Python's roads to JavaScript away, once the interpreter is up and before any program runs.
+"""Takes Python's roads to JavaScript away, once the interpreter is up and before a program runs.
 
-The other half is the worker's (`site/src/worker/seal-python.ts`): without `_ctypes` and `_pyodide_core` in
-the interpreter's table of built-in modules, nothing here can be had again. Neither half is what keeps
-a program in: that is the worker's bare JavaScript. A program should not get that far all the same.
+The other half is the worker's (`site/src/worker/seal-python.ts`): without `_ctypes` and
+`_pyodide_core` in the interpreter's table of built-in modules, nothing of this can be had again.
+Neither half is what keeps a program in: that is the worker's bare JavaScript. A program should not
+get that far all the same.
 """
 
 from __future__ import annotations
@@ -17,8 +18,14 @@ from typing import Any
 
 __all__ = ["seal"]
 
-_ROADS = frozenset({"js", "pyodide", "pyodide_js", "_pyodide", "_pyodide_core", "ctypes", "_ctypes"})
+_ROADS = frozenset(
+    {"js", "pyodide", "pyodide_js", "_pyodide", "_pyodide_core", "ctypes", "_ctypes"}
+)
 """Modules that lead to JavaScript or to the interpreter's own memory, by their first name."""
+
+
+def _is_road(name: str) -> bool:
+    return name.partition(".")[0] in _ROADS
 
 
 class _NotHere:
@@ -27,19 +34,20 @@ class _NotHere:
     def find_spec(
         self, name: str, _path: Sequence[str] | None = None, _target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        if name.partition(".")[0] in _ROADS:
+        if _is_road(name):
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
         return None
 
 
 def seal() -> None:
     """Forget the modules that lead out, and empty them for whoever still holds one."""
-    from _pyodide._importhook import JsFinder, jsfinder  # type: ignore[import-not-found]
+    from _pyodide._importhook import jsfinder  # type: ignore[import-not-found]
 
     jsfinder.jsproxies.clear()
-    sys.meta_path[:] = [finder for finder in sys.meta_path if not isinstance(finder, JsFinder)]
-    sys.meta_path.insert(0, _NotHere())
-    for name in [name for name in sys.modules if name.partition(".")[0] in _ROADS]:
+    ours: Any = _NotHere()
+    kept = [finder for finder in sys.meta_path if not _is_road(getattr(finder, "__module__", ""))]
+    sys.meta_path[:] = [ours, *kept]
+    for name in [name for name in sys.modules if _is_road(name)]:
         module: Any = sys.modules.pop(name)
         if isinstance(module, ModuleType):
             _empty(vars(module))
@@ -51,7 +59,7 @@ def seal() -> None:
 
 
 def _empty(names: dict[str, Any]) -> None:
-    """Without its functions and modules; other objects are in use, unseen, by Pyodide's own C code."""
+    """Without functions and modules; Pyodide's own C code uses the other objects, unseen."""
     for name, value in list(names.items()):
-        if callable(value) and not isinstance(value, type) or isinstance(value, ModuleType):
+        if isinstance(value, ModuleType) or (callable(value) and not isinstance(value, type)):
             del names[name]

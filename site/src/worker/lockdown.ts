@@ -51,11 +51,17 @@ function removeAllBut(allowed: ReadonlySet<string>, holder: object): string[] {
   const left = [];
   for (const key of Reflect.ownKeys(holder)) {
     if (typeof key === "string" && allowed.has(key)) continue;
-    if (Reflect.deleteProperty(holder, key)) continue;
+    if (Reflect.deleteProperty(holder, key) || isConstant(holder, key)) continue;
     Reflect.defineProperty(holder, key, { value: undefined, writable: false });
     left.push(String(key));
   }
   return left;
+}
+
+/** A number or the like that is fixed: such as TEMPORARY, 0, which Chromium lets nobody remove. */
+function isConstant(holder: object, key: PropertyKey): boolean {
+  const property = Reflect.getOwnPropertyDescriptor(holder, key);
+  return property?.writable === false && Object(property.value) !== property.value;
 }
 
 /** Small objects in the place of the browser's own, with just what Pyodide uses of them. */
