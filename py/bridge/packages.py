@@ -12,7 +12,7 @@ SITE_PACKAGES = "/lib/python3.14/site-packages"
 
 
 def unpack(archive: Any) -> None:
-    """Unpack a wheel, which comes as a Uint8Array."""
+    """Unpack a wheel, given as a Uint8Array."""
     import zipfile  # it is in the standard library's archive, not in the snapshot
 
     with zipfile.ZipFile(io.BytesIO(archive.to_bytes())) as wheel:
@@ -21,5 +21,5 @@ def unpack(archive: Any) -> None:
 
 
 def found_anew() -> None:
-    """Have the interpreter look at its folders and archives again."""
+    """Make the interpreter look at its folders and archives again."""
     importlib.invalidate_caches()

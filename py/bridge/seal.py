@@ -1,9 +1,9 @@
-"""Takes Python's roads to JavaScript away, once the interpreter is up and before a program runs.
+"""Closes Python's routes to JavaScript, once the interpreter is up and before a program runs.
 
-The other half is the worker's (`site/src/worker/seal-python.ts`): without `_ctypes` and
-`_pyodide_core` in the interpreter's table of built-in modules, nothing of this can be had again.
-Neither half is what keeps a program in: that is the worker's bare JavaScript. A program should not
-get that far all the same.
+The worker does the other half (`site/src/worker/seal-python.ts`): it removes `_ctypes`,
+`_pyodide_core` and others from the interpreter's table of built-in modules, so that they can't be
+recreated. Neither half has to hold: what keeps a program in is that JavaScript in the worker can do
+no harm.
 """
 
 from __future__ import annotations
@@ -18,40 +18,40 @@ from typing import Any
 
 __all__ = ["seal"]
 
-_ROADS = frozenset(
+_ROUTES = frozenset(
     {"js", "pyodide", "pyodide_js", "_pyodide", "_pyodide_core", "ctypes", "_ctypes"}
 )
-"""Modules that lead to JavaScript or to the interpreter's own memory, by their first name."""
+"""Packages that lead to JavaScript or to the interpreter's own memory."""
 
 
-def _is_road(name: str) -> bool:
-    return name.partition(".")[0] in _ROADS
+def _is_route(name: str) -> bool:
+    return name.partition(".")[0] in _ROUTES
 
 
 class _NotHere:
-    """Refuses the imports of those modules, in words that a learner understands."""
+    """Refuses to import those modules, as if they did not exist."""
 
     def find_spec(
         self, name: str, _path: Sequence[str] | None = None, _target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        if _is_road(name):
+        if _is_route(name):
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
         return None
 
 
 def seal() -> None:
-    """Forget the modules that lead out, and empty them for whoever still holds one."""
+    """Remove the modules that lead out, and empty them in case a program finds one."""
     from _pyodide._importhook import jsfinder  # type: ignore[import-not-found]
 
     jsfinder.jsproxies.clear()
     ours: Any = _NotHere()
-    kept = [finder for finder in sys.meta_path if not _is_road(getattr(finder, "__module__", ""))]
+    kept = [finder for finder in sys.meta_path if not _is_route(getattr(finder, "__module__", ""))]
     sys.meta_path[:] = [ours, *kept]
-    for name in [name for name in sys.modules if _is_road(name)]:
+    for name in [name for name in sys.modules if _is_route(name)]:
         module: Any = sys.modules.pop(name)
         if isinstance(module, ModuleType):
             _empty(vars(module))
-    # Python keeps a copy of what an extension module held when it was new, to make it again.
+    # Python keeps a copy of an extension module's names, from which it would recreate it.
     for each in gc.get_objects():
         if type(each) is dict and each.get("__name__") == "_pyodide_core":
             _empty(each)
@@ -59,7 +59,7 @@ def seal() -> None:
 
 
 def _empty(names: dict[str, Any]) -> None:
-    """Without functions and modules; Pyodide's own C code uses the other objects, unseen."""
+    """Remove functions and modules. The other objects stay: Pyodide's C code uses them."""
     for name, value in list(names.items()):
         if isinstance(value, ModuleType) or (callable(value) and not isinstance(value, type)):
             del names[name]

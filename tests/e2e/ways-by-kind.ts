@@ -1,7 +1,7 @@
 /**
- * More ways out, kind by kind, by somebody who has read the code. Each is Python that prints "OPEN" and
- * what it reached if it got somewhere. Those that need NumPy have memory as a whole at hand, so
- * they try the second fence without the first: what JavaScript is left with.
+ * More ways out, by kind, from somebody who has read the code. Each is Python that prints "OPEN" and
+ * what it reached if it got somewhere. With NumPy a program can write to any memory, so those ways
+ * test what JavaScript can still do when Python's own fences are gone.
  */
 import type { WayOut } from "./ways-out.ts";
 
@@ -10,11 +10,11 @@ export interface Kind {
   ways: WayOut[];
 }
 
-/** Modules that lead to JavaScript, to memory or to other processes' memory. */
+/** Modules that lead to JavaScript or to memory. */
 const LEADING_OUT =
   '("js", "pyodide_js", "pyodide.ffi", "pyodide.code", "pyodide.http", "pyodide.webloop", "_pyodide._core_docs", "_pyodide_core", "ctypes", "_ctypes", "_testcapi", "_testinternalcapi", "_remote_debugging", "_xxtestfuzz")';
 
-/** What a module that leads out would have. */
+/** Functions that a module leading out would have. */
 const LEADS = `
 DANGEROUS = ("to_js", "create_proxy", "create_once_callable", "run_js", "run_sync", "CDLL", "PyDLL", "fetch", "_module", "get_code", "send_debug", "call_function")
 def leads(module):
@@ -27,7 +27,7 @@ def leads(module):
             print("OPEN", module, name)
 `;
 
-/** Every JavaScript object that can be found, and a walk over all that they lead to. */
+/** Finds every JavaScript object it can, and walks over everything they lead to. */
 const WALK = `
 import gc, sys
 def handles():
@@ -74,10 +74,10 @@ def top():
             return handle.constructor.prototype.constructor
         except Exception:
             continue
-    raise LookupError("no JavaScript object leads anywhere")
+    raise LookupError("no JavaScript object was found")
 `;
 
-/** JavaScript's Object, from any object at all. */
+/** JavaScript's Object, reached from any JavaScript object. */
 const OBJECT = `${WALK}
 def js_object():
     for handle in handles():
@@ -86,10 +86,10 @@ def js_object():
                 return road()
             except Exception:
                 pass
-    raise LookupError("no road to Object")
+    raise LookupError("no way to Object")
 `;
 
-/** Reading and writing any of the interpreter's memory, by an array that claims to be larger than it is. */
+/** Reads and writes any of the interpreter's memory, by an array that claims to be larger than it is. */
 const MEMORY = `
 import numpy
 from numpy.lib.stride_tricks import as_strided

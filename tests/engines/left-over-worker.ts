@@ -1,6 +1,6 @@
 /**
- * A worker that is locked down as the site's are, and then says what is left: bundled into one script
- * by `left-over.mjs` and started in each engine.
+ * A worker that locks itself down as the site's workers do and reports what is left. `left-over.mjs`
+ * bundles it and starts it in each engine.
  */
 import { lockDown } from "../../site/src/worker/lockdown.ts";
 
@@ -46,7 +46,7 @@ function namesAbove(): string[] {
   while (above && above !== Object.prototype) {
     for (const key of Reflect.ownKeys(above)) {
       const property = Reflect.getOwnPropertyDescriptor(above, key);
-      // A fixed number leads nowhere.
+      // A fixed number does no harm.
       const constant = property?.writable === false && Object(property.value) !== property.value;
       if (!constant) names.push(String(key));
     }

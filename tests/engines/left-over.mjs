@@ -1,11 +1,11 @@
-/** What a worker's global scope holds after the lock-down: looked at in each engine, and held against the list. */
+/** Lists what a worker's global scope holds after the lock-down, and compares it with what is allowed. */
 import { join } from "node:path";
 import { ROOT } from "../../site/build/files.mjs";
 import { standalone } from "../../site/build/standalone.mjs";
 
 /**
  * @typedef {object} LeftOver
- * @property {string[]} notAllowed what could not be taken away
+ * @property {string[]} notAllowed names that could not be removed
  * @property {string[]} names on the global scope
  * @property {string[]} above along its prototypes, up to Object's
  * @property {string[]} notFrozen paths to what could still be changed
@@ -13,7 +13,7 @@ import { standalone } from "../../site/build/standalone.mjs";
  * @property {string[]} writable names on it that could be given another value
  */
 
-/** JavaScript for a page of the site: a promise of a LeftOver. */
+/** JavaScript to run in a page: its value is a promise of a LeftOver. */
 export async function lookingAtLeftOver() {
   const script = await standalone(join(ROOT, "tests/engines/left-over-worker.ts"));
   return `new Promise((resolve, reject) => {
@@ -25,7 +25,7 @@ export async function lookingAtLeftOver() {
 }
 
 /**
- * What is wrong with it, in words; nothing, as it should be.
+ * What is wrong, in words. Empty if all is well.
  * @param {LeftOver} left
  * @param {ReadonlySet<string>} allowed
  */
@@ -33,7 +33,7 @@ export function faultsOf(left, allowed) {
   const strange = left.names.filter((name) => !allowed.has(name));
   return [
     ...strange.map((name) => `${name} is new, and not allowed`),
-    ...left.notAllowed.map((name) => `${name} could not be taken away`),
+    ...left.notAllowed.map((name) => `${name} could not be removed`),
     ...left.above.map((name) => `${name} is left on a prototype`),
     ...left.notFrozen.map((path) => `${path} can be changed`),
     ...left.writable.map((name) => `${name} can be given another value`),

@@ -50,8 +50,8 @@ MAY_IMPORT: dict[str, tuple[str, ...]] = {
     "sketch": ("bugbot.frames", "sketch"),
     "bridge": (
         *("bugbot", "bugbot.run", "bugbot.trace", "bugbot.worlds", "performer", "bridge"),
-        *("js", "pyodide"),
     ),
+    "bridge.seal": ("_pyodide",),
     "bridge.judging": ("grader",),
     "bridge.map_files": ("bugbot.errors",),
     "bridge.ros": ("bugbot.errors", "bridge.map_files", "mapping"),

@@ -1,14 +1,13 @@
 /**
- * What a worker's global scope may still hold once Python has started: the language itself, and the
- * few things of the browser that Pyodide looks up while programs run. Whatever is not named here is
- * taken away, so something new in an engine is closed before anybody has heard of it.
- * Imports nothing of ours.
+ * The names that stay on a worker's global scope once Python has started: the language itself, and
+ * the few parts of the browser that Pyodide looks up while programs run. Everything else is removed,
+ * so a feature that an engine adds later is removed too. Imports nothing of ours.
  *
- * Before you add a name, ask what a stranger's program could do with it, and with all that can be
- * reached from it.
+ * Before you add a name, ask what a stranger's program could do with it and with everything that can
+ * be reached from it.
  */
 
-/** ECMAScript. `Function` stands for one that refuses; `eval` and Intl are not needed. */
+/** ECMAScript. `Function` is replaced by one that refuses; `eval` and `Intl` are not needed. */
 const LANGUAGE = [
   ..."globalThis undefined NaN Infinity isFinite isNaN parseFloat parseInt".split(" "),
   ..."decodeURI decodeURIComponent encodeURI encodeURIComponent".split(" "),
@@ -23,8 +22,8 @@ const LANGUAGE = [
 ];
 
 /**
- * Of the browser. `lockdown` puts small objects of our own in the place of most: the browser's
- * `performance`, say, knows every file that was loaded.
+ * Parts of the browser. `lockdown.ts` replaces all but the text coders with small objects of our
+ * own: the browser's `performance`, for example, lists every file that was loaded.
  */
 const BROWSER = [
   ..."console crypto performance setTimeout clearTimeout TextDecoder TextEncoder".split(" "),
@@ -33,8 +32,8 @@ const BROWSER = [
 export const ALLOWED: ReadonlySet<string> = new Set([...LANGUAGE, ...BROWSER]);
 
 /**
- * Of WebAssembly, without what makes modules out of bytes: `Module` stays, behind a gate that knows
- * which bytes are ours (`wasm-gate.ts`).
+ * Members of WebAssembly. Nothing here compiles bytes except `Module`, which `wasm-gate.ts` replaces by
+ * one that only takes bytes it knows.
  */
 export const ALLOWED_OF_WASM: ReadonlySet<string> = new Set(
   (

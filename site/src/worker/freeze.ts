@@ -1,15 +1,13 @@
 /**
- * Freezes everything that JavaScript's built-in objects are made of, so that no program can plant
- * a getter or a setter, or put a function of its own in the place of one that others call.
- * Imports nothing of ours.
+ * Freezes JavaScript's built-in objects, so that a program can neither plant a getter or setter in them
+ * nor replace a function that other code calls. Imports nothing of ours.
  *
- * A frozen prototype has a catch: where `Error.prototype.name` can't be written, neither can the `name`
- * of an error that has none of its own yet. Code that does so is common, Pyodide's included. So the
- * properties of those prototypes that code writes over become pairs of functions first, of which
- * the second gives the object a property of its own.
+ * Freezing a prototype has a side effect: if `Error.prototype.name` is read-only, assigning `name` to an
+ * error that inherits it fails too. Much code does that, Pyodide's included. So the properties of the
+ * prototypes in question first become accessors whose setter defines the property on the object itself.
  */
 
-/** Everything that can be reached from these objects becomes fixed. */
+/** Freezes these objects and everything that can be reached from them. */
 export function freezeAll(roots: readonly unknown[]): void {
   for (const prototype of WRITTEN_OVER) keepWritableBelow(prototype);
   const waiting: unknown[] = [...roots, ...hiddenOnes()];
@@ -31,7 +29,7 @@ function isObject(value: unknown): value is object {
   return (typeof value === "object" && value !== null) || typeof value === "function";
 }
 
-/** Whose properties are written over on objects that inherit from them. */
+/** Prototypes whose properties code assigns to on the objects that inherit them. */
 const WRITTEN_OVER: readonly object[] = [
   Object.prototype,
   Function.prototype,
@@ -51,7 +49,7 @@ function keepWritableBelow(prototype: object): void {
       },
       set(this: unknown, given: unknown) {
         if (!isObject(this) || this === prototype) {
-          throw new TypeError(`${String(key)} is fixed here`);
+          throw new TypeError(`${String(key)} can't be changed here`);
         }
         const own = { value: given, writable: true, enumerable: true, configurable: true };
         if (!Reflect.defineProperty(this, key, own)) {
@@ -63,7 +61,7 @@ function keepWritableBelow(prototype: object): void {
   }
 }
 
-/** Built-in objects that no name leads to; each is had from something that is written. */
+/** Built-in objects that no global name leads to; syntax or a call gives each of them. */
 function hiddenOnes(): unknown[] {
   const functions = [() => {}, async () => {}, function* () {}, async function* () {}];
   const text = "text";
@@ -76,13 +74,13 @@ function hiddenOnes(): unknown[] {
     text[Symbol.iterator](),
     text.matchAll(/x/g),
     Promise.resolve(),
-    // In some engines an error has its stack by functions that all errors share.
+    // In some engines all errors share the functions that give them their stack.
     new Error("none"),
     ...iteratorHelpers(),
   ];
 }
 
-/** `Iterator` and the two kinds of objects that it makes, in engines that have it. */
+/** `Iterator` and the two kinds of object it makes, in engines that have it. */
 function iteratorHelpers(): unknown[] {
   const { Iterator: Helper } = globalThis as {
     Iterator?: { from(iterator: object): { map(f: () => number): object } };

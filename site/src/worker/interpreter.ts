@@ -138,20 +138,20 @@ interface Packages {
   found_anew(): void;
 }
 
-/** An interpreter that a stranger's program may be given, and what is done for it from outside. */
+/** An interpreter that may run a stranger's program, and what the worker can still do with it. */
 export interface Sealed {
-  /** A module of ours; imported now if it has not been. */
+  /** One of our modules, imported if need be. */
   module(name: string): unknown;
-  /** Put the standard library's archive where the interpreter looks for it. */
+  /** Puts the standard library's archive where the interpreter looks for it. */
   installStdlib(bytes: ArrayBuffer): void;
   installWheel(bytes: ArrayBuffer): void;
-  /** What of the global scope could not be taken away. */
+  /** Names on the global scope that could not be removed. */
   left: readonly string[];
 }
 
 /**
- * Takes everything from a started interpreter that leads out of it. From now on it imports nothing of
- * Pyodide's, and runs no text as Python but the program.
+ * Closes every route out of a started interpreter. After this `pyodide.runPython` and the like don't
+ * work: our own modules do everything.
  */
 export function seal(pyodide: PyodideAPI, lastWords: LastWords): Sealed {
   const { import_module: module } = pyodide.pyimport("importlib") as {
@@ -177,7 +177,7 @@ export function seal(pyodide: PyodideAPI, lastWords: LastWords): Sealed {
   };
 }
 
-/** The files of a folder, and below it, that are WebAssembly: as they are now, before a program runs. */
+/** The libraries in a folder and below it, as they are before a program runs. */
 function* librariesBelow(pyodide: PyodideAPI, folder: string): Generator<Uint8Array> {
   for (const name of pyodide.FS.readdir(folder) as string[]) {
     if (name === "." || name === "..") continue;

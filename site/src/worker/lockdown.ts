@@ -1,15 +1,14 @@
 /**
- * Makes a worker's JavaScript powerless before a learner's program runs in it: of the global scope only
- * what is allowed by name is left, and all that is left is frozen.
+ * Leaves JavaScript in a worker nothing to do harm with, before a learner's program runs there: only
+ * the names in `allowed.ts` stay on the global scope, and everything that stays is frozen.
  *
- * A program may come from a link that somebody sent, and Python's objects can lead to JavaScript's: so
- * nothing worth reaching is there. This is one of two fences; the frame's policy is the other
- * (`runtime/frame.ts`). Neither relies on the other.
+ * A program may come from a link that somebody sent, and Python objects can lead to JavaScript. This
+ * is one of two fences; the Content-Security-Policy is the other. Neither relies on the other.
  */
 import { ALLOWED, ALLOWED_OF_WASM } from "./allowed.ts";
 import { freezeAll } from "./freeze.ts";
 
-/** What Pyodide itself looks up by name while programs run; everything else is out of sight. */
+/** The only names that Pyodide can look up on its `js` module while programs run. */
 export function bareGlobals(): object {
   return Object.assign(Object.create(null), {
     setTimeout: (callback: () => void, ms: number) => setTimeout(callback, ms),
@@ -19,9 +18,10 @@ export function bareGlobals(): object {
 }
 
 /**
- * For good. `hear` is told what the console is told.
- * @returns the names on the global scope, and along its prototypes, that are not allowed and could not be
- *   taken away: none in the engines we know
+ * Can't be undone.
+ * @param hear gets whatever is written to the console
+ * @returns names on the global scope and its prototypes that are not allowed but could not be removed:
+ *   none in the engines we know
  */
 export function lockDown(hear: (text: string) => void): string[] {
   const scope: object = globalThis;
@@ -46,7 +46,7 @@ export function lockDown(hear: (text: string) => void): string[] {
   return left;
 }
 
-/** Takes from a holder what is not allowed; what stays all the same becomes undefined if it can. */
+/** Removes what is not allowed; returns the names of what could not be removed. */
 function removeAllBut(allowed: ReadonlySet<string>, holder: object): string[] {
   const left = [];
   for (const key of Reflect.ownKeys(holder)) {
@@ -58,19 +58,19 @@ function removeAllBut(allowed: ReadonlySet<string>, holder: object): string[] {
   return left;
 }
 
-/** A number or the like that is fixed: such as TEMPORARY, 0, which Chromium lets nobody remove. */
+/** A fixed number or text, such as `TEMPORARY` in Chromium, which can't be deleted and does no harm. */
 function isConstant(holder: object, key: PropertyKey): boolean {
   const property = Reflect.getOwnPropertyDescriptor(holder, key);
   return property?.writable === false && Object(property.value) !== property.value;
 }
 
-/** Small objects in the place of the browser's own, with just what Pyodide uses of them. */
+/** Replaces objects of the browser by small ones with only the parts that Pyodide uses. */
 function giveOurOwn(scope: object, hear: (text: string) => void): void {
   const { setTimeout, clearTimeout, performance, crypto } = globalThis;
   const { timeOrigin } = performance;
   const say = (...parts: unknown[]): void => hear(parts.map(String).join(" "));
   const own = {
-    // A text would be carried out as code; and what is called is not told whose timer it was.
+    // The browser's would run a text as code, and call the function with the global scope as `this`.
     setTimeout: (callback: unknown, ms?: number, ...given: unknown[]) => {
       if (typeof callback !== "function") throw new TypeError("A timer calls a function");
       return setTimeout(() => callback(...given), ms);
@@ -85,12 +85,12 @@ function giveOurOwn(scope: object, hear: (text: string) => void): void {
   }
 }
 
-/** Every way from a function to `new Function`. */
+/** Closes every way to make a function from text. */
 function refuseCodeFromText(scope: object): void {
   const refuse = function refuse(): never {
     throw new TypeError("Making code from text is switched off here");
   };
-  // Pyodide asks `x instanceof Function`, so the name must stay and keep its prototype.
+  // Pyodide uses `x instanceof Function`, so the name must stay and keep its prototype.
   refuse.prototype = Function.prototype;
   Object.defineProperty(scope, "Function", { value: refuse, configurable: true });
   for (const kind of [() => {}, async () => {}, function* () {}, async function* () {}]) {

@@ -1,11 +1,11 @@
 /**
- * Takes modules out of the interpreter's table of built-in ones, so that no program can import them or
- * make them anew: those that lead to JavaScript, read and write any memory, or are for testing Python.
- * `bridge.seal` does the rest. Imports nothing of ours.
+ * Removes modules from the interpreter's table of built-in modules, so that a program can't import or
+ * recreate them: those that lead to JavaScript, that read and write any memory, and those for testing
+ * Python itself. `bridge.seal` does the remainder. Imports nothing of ours.
  */
 import type { PyodideAPI } from "pyodide";
 
-/** All that a program may import of what is built in. Others of an interpreter's table are closed. */
+/** The built-in modules that a program may import. All others are removed. */
 const ALLOWED: ReadonlySet<string> = new Set(
   [
     "_abc _ast _asyncio _bisect _blake2 _bz2 _codecs _codecs_cn _codecs_hk _codecs_iso2022 _codecs_jp",
@@ -20,19 +20,19 @@ const ALLOWED: ReadonlySet<string> = new Set(
     .split(" "),
 );
 
-/** Pyodide's module, as far as it is looked at: where two of Python's variables lie in memory. */
+/** The parts of Pyodide's module used here: memory, and the addresses of two of Python's variables. */
 interface Memory {
   HEAPU8: Uint8Array;
   _PyImport_Inittab: number;
   __PyRuntime: number;
 }
 
-/** How far into Python's own state its pointer to the table may lie [bytes]; it lies at 1780. */
+/** How far into Python's state to search for its pointer to the table [bytes]; it is at 1780. */
 const SEARCHED = 16_384;
 
 /**
- * The table is pairs of addresses, a name and what makes the module, up to a pair of zeros. Python
- * looks into a copy that it made when it started. Throws if that can't be found.
+ * The table is a list of pairs of addresses, of a name and of a function that makes the module, and ends
+ * with two zeros. Python uses a copy that it made when it started. Throws if that can't be found.
  */
 export function sealBuiltins(pyodide: PyodideAPI): void {
   const module = (pyodide as PyodideAPI & { _module: Memory })._module;
@@ -52,7 +52,7 @@ export function sealBuiltins(pyodide: PyodideAPI): void {
       const name = word(entry);
       const end = module.HEAPU8.indexOf(0, name);
       const text = new TextDecoder().decode(module.HEAPU8.slice(name, end));
-      // An empty name is none that can be asked for; the copy's may have been emptied with the other's.
+      // Nothing can be imported by an empty name.
       if (text !== "" && !ALLOWED.has(text)) words[entry >> 2] = end;
     }
   }

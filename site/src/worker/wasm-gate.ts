@@ -1,12 +1,12 @@
 /**
- * Which bytes may become WebAssembly. A module is handed whatever functions of the interpreter it names,
- * so one of a program's own could call those that Python has no road to. Only two kinds pass: the loader's
- * own little modules, which wrap a single function, and the libraries of packages that the page
- * has sent. Imports nothing of ours.
+ * Decides which bytes may become WebAssembly. The loader gives a library every function of the
+ * interpreter that it names, so a library written by a program could call functions that Python can't
+ * reach. Only two kinds pass: the loader's small modules, each of which wraps a single function, and
+ * the libraries of packages that the page has sent. Imports nothing of ours.
  */
 
-/** Modules of this size are the loader's own little ones [bytes]. */
-const LITTLE_MODULE = 100;
+/** The loader's own modules are no larger than this [bytes]. */
+const SMALL_MODULE = 100;
 
 export class WasmGate {
   #compiled = new Map<string, WebAssembly.Module>();
@@ -14,9 +14,8 @@ export class WasmGate {
   #closed = false;
 
   /**
-   * Stands in the place of `WebAssembly.Module` from now on. The loader makes 260 little modules, one for each
-   * of its functions that Python may call, and a dozen of them differ: one that has been compiled is
-   * given out again.
+   * Replaces `WebAssembly.Module`. The loader makes 260 small modules, one for each of its functions
+   * that Python may call, but only a dozen differ: one that has been compiled is used again.
    */
   install(): void {
     const make = (Module: typeof WebAssembly.Module, bytes: unknown) => this.#make(Module, bytes);
@@ -25,22 +24,22 @@ export class WasmGate {
     });
   }
 
-  /** From now on only what has been `expect`ed is compiled, and little modules. */
+  /** From now on, compile only small modules and libraries passed to `expect`. */
   close(): void {
     this.#closed = true;
   }
 
-  /** A library of a package that the page has sent may be compiled. */
+  /** Allow a library of a package that the page has sent. */
   expect(library: Uint8Array): void {
     this.#libraries.push(library);
   }
 
   #make(Module: typeof WebAssembly.Module, given: unknown): WebAssembly.Module {
-    // A copy: what has been looked at is what is compiled.
+    // A copy, so that the bytes compiled are the bytes checked.
     const bytes = copyOf(given);
-    if (bytes.length > LITTLE_MODULE) {
+    if (bytes.length > SMALL_MODULE) {
       if (this.#closed && !this.#libraries.some((library) => isSame(library, bytes))) {
-        throw new WebAssembly.CompileError("This library is none of the site's");
+        throw new WebAssembly.CompileError("This library is not one of the site's");
       }
       return new Module(bytes);
     }

@@ -73,7 +73,7 @@ self.onmessage = (event: MessageEvent<Boot>) => {
 
 class Interpreter {
   #port: MessagePort;
-  /** Bound now: what a program may plant later has no say in what is sent. */
+  /** Bound at the start, so that nothing a program does can change what is sent. */
   #post: (message: FromWorker, transfer: Transferable[]) => void;
   #pyodide: PyodideAPI | null = null;
   #sealed: Sealed | null = null;
