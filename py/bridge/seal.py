@@ -13,7 +13,7 @@ import importlib
 import sys
 from collections.abc import Sequence
 from importlib.machinery import ModuleSpec
-from types import ModuleType
+from types import BuiltinFunctionType, ModuleType
 from typing import Any
 
 __all__ = ["seal"]
@@ -59,7 +59,7 @@ def seal() -> None:
 
 
 def _empty(names: dict[str, Any]) -> None:
-    """Remove functions and modules. The other objects stay: Pyodide's C code uses them."""
+    """Remove modules, functions written in C and JavaScript's objects; Pyodide uses the others."""
     for name, value in list(names.items()):
-        if isinstance(value, ModuleType) or (callable(value) and not isinstance(value, type)):
+        if isinstance(value, ModuleType | BuiltinFunctionType) or type(value).__name__ == "JsProxy":
             del names[name]

@@ -99,9 +99,6 @@ memory = as_strided(small, shape=((here // 4) + 1,), strides=(-4,))
 def peek(address): return int(memory[(here - address) // 4])
 def poke(address, value): memory[(here - address) // 4] = value
 bytes_at = as_strided(small.view(numpy.uint8), shape=(here,), strides=(-1,))
-def find(text):
-    low = bytes_at[::-1]
-    return [i + here - len(low) + 1 for i in [bytes(low).find(text)] if i >= 0]
 `;
 
 const imports: WayOut[] = [
@@ -197,7 +194,10 @@ print("OPEN", jsfinder)`,
     program: `import numpy, numpy.ctypeslib
 if numpy.ctypeslib.ctypes is not None:
     print("OPEN", numpy.ctypeslib.ctypes)
-print("OPEN" if hasattr(numpy.zeros(3).ctypes, "data_as") and numpy.zeros(3).ctypes.data_as(int) else "closed")`,
+try:
+    print("OPEN", numpy.zeros(3).ctypes.data_as(int))
+except Exception as error:
+    print("closed", type(error).__name__)`,
   },
 ];
 
@@ -519,9 +519,10 @@ base = here - len(whole) + 1
 name = whole.find(b"\\0_ctypes\\0") + base + 1
 end = name + len("_ctypes")
 back = 0
-for offset in range(0, len(whole) - 4, 4):
-    if whole[offset:offset + 4] == end.to_bytes(4, "little"):
-        poke(offset + base - (offset + base) % 4, name)
+sought, at = end.to_bytes(4, "little"), -1
+while (at := whole.find(sought, at + 1)) >= 0:
+    if (at + base) % 4 == 0:
+        poke(at + base, name)
         back += 1
 print("put back", back)
 import sys
@@ -563,7 +564,7 @@ for name, attempt in attempts.items():
     name: "listening, datagrams, and sockets of the machine",
     program: `
 import socket
-for family, kind, address in ((socket.AF_INET, socket.SOCK_STREAM, ("127.0.0.1", 4999)), (socket.AF_INET, socket.SOCK_DGRAM, ("127.0.0.1", 4998)), (socket.AF_UNIX, socket.SOCK_STREAM, "/tmp/s")):
+for family, kind, address in ((socket.AF_INET, socket.SOCK_STREAM, ("127.0.0.1", 4999)), (socket.AF_INET, socket.SOCK_DGRAM, ("127.0.0.1", 4998)), (getattr(socket, "AF_UNIX", 1), socket.SOCK_STREAM, "/tmp/s")):
     try:
         s = socket.socket(family, kind)
         s.bind(address)
@@ -670,6 +671,7 @@ print("OPEN" if os.path.exists("/home/pyodide/left.py") and "run-of-its-own" in 
 const messages: WayOut[] = [
   {
     name: "each callback with what it does not expect",
+    breaks: true,
     program: `${WALK}
 found = handles()
 print("found", len(found))

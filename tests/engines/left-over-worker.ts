@@ -33,12 +33,23 @@ say({
   above: namesAbove(),
   notFrozen: shared
     .filter(([one]) => one !== globalThis && !Object.isFrozen(one))
-    .map(([, p]) => p),
+    .flatMap(([one, path]) =>
+      changeable(one).map((what) => (one === Error ? "Error" : path) + what),
+    ),
   extensible: Object.isExtensible(globalThis),
   writable: Reflect.ownKeys(globalThis)
     .filter((key) => Reflect.getOwnPropertyDescriptor(globalThis, key)?.writable)
     .map(String),
 });
+
+function changeable(one: object): string[] {
+  const names = Reflect.ownKeys(one).filter((key) => {
+    const property = Reflect.getOwnPropertyDescriptor(one, key);
+    return property?.configurable || property?.writable;
+  });
+  const more = Object.isExtensible(one) ? [", to which names can be added,"] : [];
+  return [...names.map((name) => `.${String(name)}`), ...more];
+}
 
 function namesAbove(): string[] {
   const names: string[] = [];

@@ -21,8 +21,22 @@ export function freezeAll(roots: readonly unknown[]): void {
       if (property) waiting.push(property.value, property.get, property.set);
     }
     waiting.push(Reflect.getPrototypeOf(one));
-    Object.freeze(one);
+    if (one === Error) freezeErrors();
+    else Object.freeze(one);
   }
+}
+
+/** Pyodide sets `stackTraceLimit` for each error it makes, so that one property stays writable. */
+function freezeErrors(): void {
+  const { stackTraceLimit: value } = Error as { stackTraceLimit?: unknown };
+  Object.defineProperty(Error, "stackTraceLimit", { value, writable: true, configurable: false });
+  for (const key of Reflect.ownKeys(Error)) {
+    if (key === "stackTraceLimit") continue;
+    const property = Reflect.getOwnPropertyDescriptor(Error, key);
+    const fixed = property && "value" in property ? { writable: false } : {};
+    Reflect.defineProperty(Error, key, { ...fixed, configurable: false });
+  }
+  Object.preventExtensions(Error);
 }
 
 function isObject(value: unknown): value is object {
