@@ -48,9 +48,7 @@ MAY_IMPORT: dict[str, tuple[str, ...]] = {
     "grader": ("bugbot", "bugbot.*", "mapping", "performer", "sandbox", "grader"),
     "grader.classes.machines": ("grader", "distributed"),
     "sketch": ("bugbot.frames", "sketch"),
-    "bridge": (
-        *("bugbot", "bugbot.run", "bugbot.trace", "bugbot.worlds", "performer", "bridge"),
-    ),
+    "bridge": (*("bugbot", "bugbot.run", "bugbot.trace", "bugbot.worlds", "performer", "bridge"),),
     "bridge.seal": ("_pyodide",),
     "bridge.judging": ("grader",),
     "bridge.map_files": ("bugbot.errors",),
