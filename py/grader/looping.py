@@ -3,8 +3,9 @@
 May import: the standard library, `grader.text`.
 
 A loop is a `for` or `while`, a comprehension, a call like map() that goes through its items one by
-one, and a function that calls itself. What goes through a few things that are written out, such
-as `for v in (x, y)`, or through the columns of a parameter, `points.T`, is no loop over points.
+one, sorted() with a key, and a function that calls itself. What goes through at most four things
+that are written out, such as `for v in (x, y)`, or through the columns of a parameter, `points.T`,
+is no loop over points. The statements of the tasks say the same.
 """
 
 from __future__ import annotations
@@ -16,12 +17,17 @@ from grader.text import Text
 __all__ = ["loop_in"]
 
 _FEW = 4
+_LONG = f" (only one over at most {_FEW} things that you write out is allowed)"
 
 _ONE_BY_ONE = frozenset(
-    ("map", "filter", "starmap", "reduce", "accumulate", "vectorize", "frompyfunc", "fromiter",
-     "apply_along_axis", "apply_over_axes", "nditer", "ndenumerate")
+    ("map", "filter", "filterfalse", "starmap", "takewhile", "dropwhile", "groupby", "reduce",
+     "accumulate", "vectorize", "frompyfunc", "fromiter", "apply_along_axis", "apply_over_axes",
+     "nditer", "ndenumerate", "ndindex")
 )  # fmt: skip
 """Calls that go through their items one by one in Python."""
+
+_SORTING = frozenset(("sorted", "sort", "min", "max"))
+"""Calls that do so if they are given a key."""
 
 _Comprehension = ast.ListComp | ast.SetComp | ast.DictComp | ast.GeneratorExp
 
@@ -50,10 +56,13 @@ def _loop(node: ast.AST, part: ast.AST, text: Text) -> str | None:
     if isinstance(node, ast.While):
         return "a while loop"
     if isinstance(node, ast.For | ast.AsyncFor):
-        return None if _is_short(node.iter, part, text) else "a for loop"
+        return None if _is_short(node.iter, part, text) else f"a for loop{_LONG}"
     if isinstance(node, _Comprehension):
         short = all(_is_short(each.iter, part, text) for each in node.generators)
-        return None if short else "a comprehension"
+        return None if short else f"a comprehension{_LONG}"
+    if isinstance(node, ast.Call) and _name(node.func) in _SORTING:
+        keyed = any(each.arg == "key" for each in node.keywords)
+        return f"{_name(node.func)}() with a key, which is asked for each item" if keyed else None
     name = _name(node)
     if name in _ONE_BY_ONE and name not in text.stored:
         return f"{name}(), which goes through the items one by one"

@@ -81,12 +81,12 @@ def usual_slip(wrong: Wrong) -> str | None:
     if wrong.text.is_untouched:
         return None  # nobody has made a mistake yet
     if wrong.call.function.changes is not None:
-        return _not_changed(wrong) or other_kind(wrong.right, wrong.value)
+        return _not_changed(wrong) or _other_kind(wrong, [])
     if wrong.value is None:
         return _nothing_returned(wrong)
     return (
         _no_answer_yet(wrong)
-        or other_kind(wrong.right, wrong.value, [each.expected() for each, _ in wrong.every])
+        or _other_kind(wrong, [each.expected() for each, _ in wrong.every])
         or _floats(wrong)
         or _always_the_same(wrong)
     )
@@ -116,6 +116,18 @@ def _no_answer_yet(wrong: Wrong) -> str | None:
     if value.what in _FUNCTIONS:
         return "it returns a function itself: to use what that gives, call it with brackets"
     return None
+
+
+def _other_kind(wrong: Wrong, rights: Sequence[Any]) -> str | None:
+    """In what kind the answer differs, unless the task takes that kind as well."""
+    right, value = wrong.right, wrong.value
+    if isinstance(right, list | tuple) and isinstance(value, set | frozenset):
+        try:
+            if wrong.call.function.compare(right, set(right)):
+                return None
+        except TypeError:
+            pass  # what is right has parts that no set can hold
+    return other_kind(right, value, rights)
 
 
 _FUNCTIONS = ("a function", "a builtin_function_or_method", "a method")

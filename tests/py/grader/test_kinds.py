@@ -57,6 +57,18 @@ f = function("f(x)", lambda x: [x])
 def it(task):
     task.call(f, 3)
 """
+ANY_ORDER = ONE.replace("[x])", "[x], compare=in_any_order)").replace(
+    "function\n", "function, in_any_order\n", 1
+)
+
+
+def test_a_set_is_no_mistake_where_the_order_does_not_matter() -> None:
+    assert marked(ANY_ORDER, "def f(x):\n    return {x}\n")["passed"]
+    assert failed(marked(ANY_ORDER, "def f(x):\n    return {x + 1}\n"))["likely"] is None
+    told = failed(marked(ONE, "def f(x):\n    return {x + 1}\n"))["likely"]
+    assert told == "it is a set, which has no order; the task asks for a list"
+
+
 NO_RETURN = "a function hands back its answer with return, and this one has no return"
 
 
