@@ -157,8 +157,6 @@ def _check(options: argparse.Namespace) -> int:
     for report in reports:
         print(_row(report))
     faults = [fault for report in reports for fault in report.faults]
-    for note in [note for report in reports for note in report.notes]:
-        print(f"\nnote: {note}")
     for fault in faults:
         print(f"\n{fault}")
     seconds = time.perf_counter() - began

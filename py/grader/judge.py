@@ -29,6 +29,7 @@ from grader.marks import NOT_RUN, PASSED, entry, failed_entry, mark_of
 from grader.results import result_of, score_of
 from grader.task import Task
 from grader.text import Source
+from grader.untouched import NOTHING_WRITTEN, is_untouched
 from performer.refusal import refusal
 
 __all__ = ["fails_already", "first_failure", "step"]
@@ -72,8 +73,7 @@ def step(
         entries = [failed_entry(checks[0].title, trouble, checks[0].hint)]
         entries += [entry(each.title, NOT_RUN) for each in checks[1:]]
         return {"mark": mark_of(slug, task, entries)}
-    starter = (lesson.get("starters") or {}).get(task, "")
-    desk = Desk(lesson, results, shift, Source(program, starter))
+    desk = _desk(lesson, task, program, results, shift)
     try:
         states = [_begin(each, desk) for each in checks]
         jobs = desk.wanted()
@@ -81,7 +81,7 @@ def step(
             if len(results) > _MOST_ROUNDS * (len(checks) + 1):
                 raise AuthorError("its checks ask for something else each time they are run")
             return {"jobs": jobs}
-        entries = _judged(checks, states)
+        entries = _judged(checks, states, desk.source)
         trials = [(place, each) for place, (at, *_) in enumerate(states) for each in at.trials_made]
         results = [result_of(trial, place) for place, trial in trials]
         score = score_of([trial for _, trial in trials])
@@ -100,7 +100,7 @@ def fails_already(
     """
     try:
         checks = checks_of(check_source, f"lessons/{lesson.get('slug')}/{task}/check.py")
-        desk = Desk(lesson, results, 0, Source(program))
+        desk = _desk(lesson, task, program, results)
         for begun, failure, _ in [_begin(each, desk) for each in checks]:
             if failure is not None:
                 return True
@@ -130,7 +130,7 @@ def first_failure(
     slug = str(lesson.get("slug"))
     try:
         checks = checks_of(check_source, f"lessons/{slug}/{task}/check.py")
-        desk = Desk(lesson, results, shift, Source(program))
+        desk = _desk(lesson, task, program, results, shift)
         states: list[_Begun] = []
         for check in checks:
             at, failure, complete = _begin(check, desk)
@@ -139,7 +139,7 @@ def first_failure(
             states.append((at, failure, complete))
             if failure is not None:
                 break
-        entries = _judged(checks[: len(states)], states)
+        entries = _judged(checks[: len(states)], states, desk.source)
     except (NeedsJob, Exception):
         return None
     for place, each in enumerate(entries):
@@ -147,6 +147,14 @@ def first_failure(
             rest = [entry(check.title, NOT_RUN) for check in checks[place + 1 :]]
             return mark_of(slug, task, [*entries[: place + 1], *rest])
     return None
+
+
+def _desk(
+    lesson: dict[str, Any], task: str, program: str, results: list[Any], shift: int = 0
+) -> Desk:
+    """The desk of a marking; what the learner has written is held against the starter."""
+    starter = (lesson.get("starters") or {}).get(task, "")
+    return Desk(lesson, results, shift, Source(program, starter))
 
 
 _Begun = tuple[Task, CheckFailed | None, bool]
@@ -166,7 +174,8 @@ def _begin(check: Check, desk: Desk) -> _Begun:
     return task, None, True
 
 
-def _judged(checks: list[Check], states: list[_Begun]) -> list[dict[str, Any]]:
+def _judged(checks: list[Check], states: list[_Begun], source: Source) -> list[dict[str, Any]]:
+    untouched = is_untouched(source.program, source.starter)
     answered = [pair for task, failure, _ in states if failure is None for pair in task.answered()]
     failures = [_failure_of(task, failure, answered) for task, failure, _ in states]
     # What only shows things may break on a wrong answer: then it is the answer that counts.
@@ -183,7 +192,8 @@ def _judged(checks: list[Check], states: list[_Begun]) -> list[dict[str, Any]]:
         else:
             # The same trouble of the entire program is told once, not under every check.
             told |= {str(failure)} if isinstance(failure, ProgramFailed) else set()
-            entries.append(failed_entry(check.title, failure, check.hint))
+            cause = NOTHING_WRITTEN if untouched else failure.likely
+            entries.append({**failed_entry(check.title, failure, check.hint), "likely": cause})
     return entries
 
 

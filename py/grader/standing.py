@@ -65,8 +65,6 @@ class Report:
     wrong: int = 0
     seconds: float = 0.0
     faults: list[Fault] = field(default_factory=list)
-    notes: list[Fault] = field(default_factory=list)
-    """What an author should look at, though it may be meant."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +77,6 @@ class _Found:
     checks: int
     seconds: float
     faults: tuple[Fault, ...]
-    notes: tuple[Fault, ...]
 
 
 def check_course(
@@ -111,7 +108,6 @@ def check_course(
             report = by_slug[found.slug]
             report.seconds += found.seconds
             report.faults += found.faults
-            report.notes += found.notes
             report.checks += found.checks
             report.starters += found.marked if found.kind == "starter" else 0
             report.solutions += found.marked if found.kind == "solution" else 0
@@ -157,22 +153,15 @@ def _done(part: _Part) -> _Found:
     lesson = _lesson(part.lesson)
     task = lesson.task(part.task)
     faults: list[Fault] = []
-    notes: list[Fault] = []
     checks = 0
     for shift in part.shifts:
         mark, worlds = _marked(lesson, task, part, shift)
         faults += _judged(part, task, mark, shift)
-        failed = first_failed(mark)
-        if part.kind == "starter" and failed is not None and failed["likely"] is not None:
-            words = f"the starter is told a mistake that nobody has made: {failed['likely']!r}"
-            notes.append(Fault(part.program, None, words))
         if part.kind == "solution" and shift == 0:
             checks = len(mark["checks"])
             faults += _wrong_starts(lesson, task, worlds)
     seconds = time.perf_counter() - began
-    return _Found(
-        lesson.slug, part.kind, len(part.shifts), checks, seconds, tuple(faults), tuple(notes)
-    )
+    return _Found(lesson.slug, part.kind, len(part.shifts), checks, seconds, tuple(faults))
 
 
 def _marked(

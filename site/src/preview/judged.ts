@@ -11,7 +11,6 @@ export type Verdict =
   | "fails"
   | "passes"
   | "earns"
-  | "names a mistake"
   | "should fail"
   | "should pass"
   | "earns other words";
@@ -25,7 +24,6 @@ export const TONES: Readonly<Record<Verdict, Tone>> = {
   fails: "good",
   passes: "good",
   earns: "good",
-  "names a mistake": "doubt",
   "should fail": "bad",
   "should pass": "bad",
   "earns other words": "bad",
@@ -59,7 +57,7 @@ export function verdictOf({ kind, note, told }: ProgramFile): Verdict {
   if (mark.passed !== passes[kind]) return mark.passed ? "should fail" : "should pass";
   if (mark.passed) return "passes";
   const failed = firstFailed(mark);
-  if (kind === "starter") return failed?.likely ? "names a mistake" : "fails";
+  if (kind === "starter") return "fails";
   const earned = failed?.likely ?? failed?.got ?? "";
   return note !== "" && earned.includes(note) ? "earns" : "earns other words";
 }

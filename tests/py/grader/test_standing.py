@@ -145,17 +145,6 @@ def test_each_fault_is_found(
 
 
 @pytest.mark.usefixtures("_here")
-def test_a_starter_that_earns_a_mistake_is_noted_and_is_no_fault(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    starter = folder / "one-step/step-up/starter.py"
-    write(starter, "from bugbot import *\n\nstopp()\n")
-    assert cli.main(["check", "--lessons", str(folder), "--seeds", "1"]) == 0
-    told = "starter.py: the starter is told a mistake that nobody has made: 'Did you mean stop"
-    assert told in capsys.readouterr().out
-
-
-@pytest.mark.usefixtures("_here")
 def test_a_lesson_that_the_course_forgets_is_found(folder: Path) -> None:
     shutil.copytree(folder / "one-step", folder / "two-steps")
     shutil.copytree(folder / "one-step", folder / "_template")  # what lessons are copied from

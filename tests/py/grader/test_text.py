@@ -21,6 +21,7 @@ from grader.looping import loop_in
 from grader.marking import mark_program
 from grader.parts import lines_written
 from grader.text import Source
+from grader.untouched import NOTHING_WRITTEN
 from performer.perform import perform
 
 PROGRAM = """
@@ -127,7 +128,9 @@ def it(task):
 """
     lesson = {"slug": "s", "worlds": {}, "starters": {"task": STARTER}}
     program = STARTER.replace("0, 0", part)
-    assert failed(mark_program(check, lesson, "task", program, perform))["likely"] is None
+    assert (
+        failed(mark_program(check, lesson, "task", program, perform))["likely"] == NOTHING_WRITTEN
+    )
     same = STARTER.replace("0, 0", "min(x, 0), 0")
     assert failed(mark_program(check, lesson, "task", same, perform))["likely"] == "0"
 
