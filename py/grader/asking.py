@@ -43,15 +43,27 @@ class Call:
         return request
 
     def __str__(self) -> str:
-        call = f"{self.function.name}({', '.join(map(shown, self.arguments))})"
-        changed = ", ".join(f"{name} = {shown(value)}" for name, value in self.constants)
-        return f"with {changed}, {call}" if changed else call
+        return f"{self._conditions}{self._call}"
 
     @property
-    def verb(self) -> str:
-        """How its expectation is put into words."""
+    def _call(self) -> str:
+        return f"{self.function.name}({', '.join(map(shown, self.arguments))})"
+
+    @property
+    def _conditions(self) -> str:
+        changed = ", ".join(f"{name} = {shown(value)}" for name, value in self.constants)
+        return f"with {changed}, " if changed else ""
+
+    def should(self, expected: str, *, whole: bool = True) -> str:
+        """Its expectation in words.
+
+        whole  `expected` is the entire value; else it names a part of it, such as "3 as item 2"
+        """
         changed = self.function.changes
-        return "gives" if changed is None else f"leaves in {changed}"
+        if changed is None:
+            return f"{self} gives {expected}"
+        verb = "is" if whole else "has"
+        return f"{self._conditions}after {self._call}, {changed} {verb} {expected}"
 
     def answer_of(self, work: Any) -> Any:
         """What another function, the reference or a slip, answers to the same call."""

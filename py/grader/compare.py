@@ -1,6 +1,6 @@
-"""How an answer is compared with what is right.
+"""How an answer is compared with what is right; `grader.difference` puts it into words.
 
-May import: the standard library, `bugbot.errors`, `grader.failures`, `performer.values`.
+May import: the standard library, `grader.failures`, `performer.values`.
 
 Lists and tuples count as the same everywhere: a learner who answers [2, 1] for (2, 1) has
 understood. True and False are no numbers.
@@ -14,11 +14,10 @@ from dataclasses import dataclass
 from math import isclose, isnan
 from typing import Any
 
-from bugbot.errors import counted
 from grader.failures import AuthorError
-from performer.values import Other, shown
+from performer.values import Other
 
-__all__ = ["Compare", "difference", "exactly", "in_any_order", "near"]
+__all__ = ["Compare", "InAnyOrder", "exactly", "in_any_order", "near", "unordered"]
 
 Compare = Callable[[Any, Any], bool]
 """compare(expected, got): whether the answer is right."""
@@ -68,18 +67,21 @@ class near:  # noqa: N801 - a word of the vocabulary
 
 
 @dataclass(frozen=True, slots=True)
-class _InAnyOrder:
+class InAnyOrder:
+    """The same parts, whatever their order so many levels down."""
+
     levels: int = 1
 
     def __call__(self, expected: Any, got: Any) -> bool:
-        return _unordered(expected, self.levels) == _unordered(got, self.levels)
+        """Whether the answer is right."""
+        return unordered(expected, self.levels) == unordered(got, self.levels)
 
-    def deep(self, levels: int) -> _InAnyOrder:
+    def deep(self, levels: int) -> InAnyOrder:
         """The order inside the parts does not matter either, so many levels down."""
-        return _InAnyOrder(levels)
+        return InAnyOrder(levels)
 
 
-in_any_order = _InAnyOrder()
+in_any_order = InAnyOrder()
 """The same parts as often as there, in any order; `in_any_order.deep(2)`: inside them as well."""
 
 
@@ -103,80 +105,18 @@ def _is_number(value: object) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
-def _unordered(value: Any, levels: int) -> Hashable:
+def unordered(value: Any, levels: int) -> Hashable:
     """The value as a key that is equal for equal values, whatever their order so many levels."""
     if levels and isinstance(value, list | tuple | set | frozenset):
-        return "parts", frozenset(Counter(_unordered(each, levels - 1) for each in value).items())
+        return "parts", frozenset(Counter(unordered(each, levels - 1) for each in value).items())
     if isinstance(value, list | tuple):
-        return "row", tuple(_unordered(each, 0) for each in value)
+        return "row", tuple(unordered(each, 0) for each in value)
     if isinstance(value, set | frozenset):
-        return "parts", frozenset((_unordered(each, 0), 1) for each in value)
+        return "parts", frozenset((unordered(each, 0), 1) for each in value)
     if isinstance(value, dict):
-        return "dict", frozenset((key, _unordered(each, 0)) for key, each in value.items())
+        return "dict", frozenset((key, unordered(each, 0)) for key, each in value.items())
     if isinstance(value, float):
         return "float", round(value, 9)
     if isinstance(value, Other):
         return "other", id(value)
     return type(value).__name__, value
-
-
-_LONG = 8
-"""Rows of more parts than this are not shown whole, but where they differ."""
-
-
-def difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
-    """What was expected and what was got, in words that differ; of long rows, where they part.
-
-    >>> difference(exactly, list(range(20)), [*range(19), 7])
-    ('item 19 (counted from 0) is 19', 'it is 7')
-    """
-    right, wrong = _difference(compare, expected, got)
-    if right != wrong:
-        return right, wrong
-    return f"{right} ({_exact(expected)})", f"{wrong} ({_exact(got)})"
-
-
-def _difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
-    if isinstance(expected, set | frozenset) and isinstance(got, set | frozenset):
-        if max(len(expected), len(got)) > _LONG or shown(expected) == shown(got):
-            return _what_is_missing(sorted(expected, key=shown), sorted(got, key=shown))
-        return shown(expected), shown(got)
-    both_rows = all(isinstance(each, list | tuple) for each in (expected, got))
-    same = shown(expected) == shown(got)
-    if not both_rows or (max(len(expected), len(got)) <= _LONG and not same):
-        return shown(expected), shown(got)
-    if isinstance(compare, _InAnyOrder):
-        return _what_is_missing(expected, got)
-    if len(expected) != len(got):
-        return (
-            f"{counted(len(expected), 'item')}: {shown(expected)}",
-            f"{counted(len(got), 'item')}: {shown(got)}",
-        )
-    for index, (right, wrong) in enumerate(zip(expected, got, strict=True)):
-        if not compare(right, wrong):
-            is_, it_is = difference(compare, right, wrong)
-            return f"item {index} (counted from 0) is {is_}", f"it is {it_is}"
-    return shown(expected), shown(got)
-
-
-_LONGEST_EXACT = 60
-
-
-def _exact(value: Any) -> str:
-    """A value with its type and all its digits, for two that look alike."""
-    text = repr(value)
-    cut = text if len(text) <= _LONGEST_EXACT else f"{text[: _LONGEST_EXACT - 1]}…"
-    return f"the {type(value).__name__} {cut}"
-
-
-def _what_is_missing(expected: Any, got: Any) -> tuple[str, str]:
-    missing = [each for each in expected if not any(exactly(each, other) for other in got)]
-    extra = [each for each in got if not any(exactly(each, other) for other in expected)]
-    right = f"{counted(len(expected), 'part')}, in any order"
-    wrong = f"{len(got)}"
-    if missing:
-        right += f"; among them {shown(missing)}"
-        wrong += "; those are missing"
-    if extra:
-        wrong += f"; {shown(extra)} should not be there"
-    return right, wrong

@@ -11,8 +11,8 @@ from typing import Any
 
 from bugbot.run.slips.newer import PAGE
 from grader.asking import NOT_SAID, Answered, Call, Look, Step
-from grader.compare import difference
 from grader.declare import Function
+from grader.difference import difference
 from grader.failures import CheckFailed, ProgramFailed
 from grader.places import cells_in, grid_difference, where_cells
 from grader.slips import Wrong, explaining, usual_slip
@@ -66,7 +66,7 @@ def _judge_call(
         mistake = explaining(call.function.mistakes, every, text)
         fault = answer["fault"]
         raise CheckFailed(
-            f"{call} {call.verb} {shown(right)}",
+            call.should(shown(right)),
             fault_text(fault),
             likely=mistake.text if mistake else fault.get("hint"),
             hint=mistake.hint if mistake else None,
@@ -78,7 +78,7 @@ def _judge_call(
     mistake = explaining(call.function.mistakes, every, text)
     wrong = Wrong(call, answer, right, value, every, text)
     raise CheckFailed(
-        f"{call} {call.verb} {expected}",
+        call.should(expected, whole=expected.startswith(shown(right))),
         f"{call} returned None" if value is None and call.function.changes is None else got,
         likely=mistake.text if mistake else usual_slip(wrong),
         hint=mistake.hint if mistake else None,
@@ -162,5 +162,5 @@ def _judge_look(look: Look, answer: dict[str, Any]) -> None:
     value = _value(answer)
     if not look.compare(look.gives, value):
         expected, got = difference(look.compare, look.gives, value)
-        part = expected.startswith("item ")
-        raise CheckFailed(f"{look.name}{': ' if part else ' is '}{expected}", got)
+        verb = "is" if expected.startswith(shown(look.gives)) else "has"
+        raise CheckFailed(f"{look.name} {verb} {expected}", got)

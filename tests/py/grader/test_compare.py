@@ -7,7 +7,8 @@ from typing import Any
 
 import pytest
 
-from grader.compare import Compare, difference, exactly, in_any_order, near
+from grader.compare import Compare, exactly, in_any_order, near
+from grader.difference import difference
 from grader.failures import AuthorError
 from performer.values import Other
 
@@ -75,6 +76,9 @@ def test_near_wants_a_number() -> None:
         near("cm")  # type: ignore[arg-type]
 
 
+NINE = "9 items in any order"
+
+
 @pytest.mark.parametrize(
     ("compare", "expected", "got", "words"),
     [
@@ -85,23 +89,54 @@ def test_near_wants_a_number() -> None:
             [0] * 7 + [1],
             ("[0, 0, 0, 0, 0, 0, 0, 0]", "[0, 0, 0, 0, 0, 0, 0, 1]"),
         ),
-        (exactly, [0] * 9, [0] * 8 + [1], ("item 8 (counted from 0) is 0", "it is 1")),
+        (exactly, [0] * 9, [0] * 8 + [1], ("0 as item 8 (counted from 0)", "1")),
         (exactly, [0] * 9, [0], ("9 items: [0] * 9", "1 item: [0]")),
         (exactly, [0] * 9, [0] * 10, ("9 items: [0] * 9", "10 items: [0] * 10")),
+        (exactly, [0] * 9, [], ("9 items: [0] * 9", "0 items: []")),
         (
-            in_any_order,
-            list(range(9)),
-            [*range(1, 9), 20],
-            (
-                "9 parts, in any order; among them [0]",
-                "9; those are missing; [20] should not be there",
-            ),
+            exactly,
+            [[0] * 9] * 9,
+            [[0] * 9] * 8 + [[0] * 8 + [4]],
+            ("0 as item 8 of item 8 (counted from 0)", "4"),
+        ),
+        (exactly, 2, 2.0, ("2", "2.0")),
+        (exactly, 0.3, 0.3000001, ("0.3 (the float 0.3)", "0.3 (the float 0.3000001)")),
+        (exactly, {1, 2}, {1}, ("{1, 2}", "{1}")),
+        (exactly, {(1, 2)}, {(2, 1)}, ("{(1, 2)}", "{(2, 1)}")),
+        (exactly, set(range(9)), set(), (NINE, "none")),
+        (
+            exactly,
+            set(),
+            set(range(9)),
+            ("0 items in any order", "9 items: 0, 1, 2 and 6 more should not be there"),
+        ),
+        (exactly, set(range(9)), set(range(8)), (NINE, "8 items: 8 is missing")),
+        (exactly, set(range(9)), set(range(10)), (NINE, "10 items: 9 should not be there")),
+        (exactly, set(range(9)), set(range(7)), (NINE, "7 items: 7 and 8 are missing")),
+        (exactly, set(range(9)), set(range(5)), (NINE, "5 items: 5, 6, 7 and 8 are missing")),
+        (
+            exactly,
+            set(range(9)),
+            set(range(4)),
+            (NINE, "4 items: 4, 5, 6 and 2 more are missing"),
         ),
         (
             in_any_order,
             list(range(9)),
-            list(range(8)),
-            ("9 parts, in any order; among them [8]", "8; those are missing"),
+            [*range(1, 9), 20],
+            (NINE, "9 items: 0 is missing, and 20 should not be there"),
+        ),
+        (
+            in_any_order,
+            [0, *range(8)],
+            [*range(8), 7],
+            (NINE, "9 items: 0 is there once, not twice, and 7 is there twice, not once"),
+        ),
+        (
+            in_any_order.deep(2),
+            [[n, 0] for n in range(9)],
+            [[0, n] for n in range(8)],
+            (NINE, "8 items: [8, 0] is missing"),
         ),
     ],
 )
@@ -109,6 +144,7 @@ def test_a_difference_in_words(
     compare: Compare, expected: Any, got: Any, words: tuple[str, str]
 ) -> None:
     assert difference(compare, expected, got) == words
+    assert words[0] != words[1]
 
 
 def test_what_differs_only_as_a_whole_is_shown_as_a_whole() -> None:

@@ -1,0 +1,114 @@
+"""What was expected and what was got instead, in words: where two values part.
+
+May import: the standard library, `bugbot.errors`, `grader.compare`, `performer.values`.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Hashable, Sequence
+from typing import Any
+
+from bugbot.errors import counted
+from grader.compare import Compare, InAnyOrder, unordered
+from performer.values import shown
+
+__all__ = ["difference"]
+
+_LONG = 8
+"""Rows of more parts than this are not shown whole, but where they differ."""
+
+_MOST_NAMED = 3
+"""So many parts are named; of the others only how many they are."""
+
+_LONGEST_EXACT = 60
+
+
+def difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
+    """What was expected and what was got, in words that differ; of long rows, where they part.
+
+    What was expected can stand behind "gives" or "has": "f() gives 19 as item 3".
+
+    >>> from grader.compare import exactly
+    >>> difference(exactly, list(range(20)), [*range(19), 7])
+    ('19 as item 19 (counted from 0)', '7')
+    """
+    path: list[int] = []
+    while (index := _first_apart(compare, expected, got)) is not None:
+        path.insert(0, index)
+        expected, got = expected[index], got[index]
+    right, wrong = _leaf(compare, expected, got)
+    if right == wrong:
+        right, wrong = f"{right} ({_exact(expected)})", f"{wrong} ({_exact(got)})"
+    if path:
+        place = " of ".join(f"item {index}" for index in path)
+        right = f"{right} as {place} (counted from 0)"
+    return right, wrong
+
+
+def _first_apart(compare: Compare, expected: Any, got: Any) -> int | None:
+    """The first part that differs, of two rows that are too long or too alike to be shown."""
+    both_rows = all(isinstance(each, list | tuple) for each in (expected, got))
+    if not both_rows or isinstance(compare, InAnyOrder) or len(expected) != len(got):
+        return None
+    if len(expected) <= _LONG and shown(expected) != shown(got):
+        return None
+    pairs = zip(expected, got, strict=True)
+    return next((index for index, pair in enumerate(pairs) if not compare(*pair)), None)
+
+
+def _leaf(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
+    both = (expected, got)
+    are_sets = all(isinstance(each, set | frozenset) for each in both)
+    are_rows = all(isinstance(each, list | tuple) for each in both)
+    short = not (are_sets or are_rows) or max(map(len, both)) <= _LONG
+    if short and shown(expected) != shown(got):
+        return shown(expected), shown(got)
+    if are_sets or (are_rows and isinstance(compare, InAnyOrder)):
+        levels = compare.levels - 1 if isinstance(compare, InAnyOrder) else 0
+        return _what_is_missing(expected, got, lambda part: unordered(part, levels))
+    if are_rows and len(expected) != len(got):
+        right, wrong = (f"{counted(len(each), 'item')}: {shown(each)}" for each in both)
+        return right, wrong
+    return shown(expected), shown(got)
+
+
+def _what_is_missing(expected: Any, got: Any, key: Callable[[Any], Hashable]) -> tuple[str, str]:
+    wanted, there = (Counter(map(key, each)) for each in (expected, got))
+    parts = {key(each): each for each in (*expected, *got)}
+    missing = [parts[each] for each in wanted if each not in there]
+    extra = [parts[each] for each in there if each not in wanted]
+    clauses = [f"{_named(missing)} missing"] if missing else []
+    if extra:
+        clauses.append(f"{_named(extra, verb=False)} should not be there")
+    clauses += [
+        f"{shown(parts[each])} is there {_times(there[each])}, not {_times(wanted[each])}"
+        for each in list(wanted)
+        if each in there and wanted[each] != there[each]
+    ][:_MOST_NAMED]
+    right = f"{counted(len(expected), 'item')} in any order"
+    wrong = counted(len(got), "item") if got else "none"
+    return right, f"{wrong}: {', and '.join(clauses)}" if clauses and got else wrong
+
+
+def _named(parts: Sequence[Any], *, verb: bool = True) -> str:
+    """A few parts by name, and how many more there are: "1, 2, 3 and 4 more are"."""
+    texts = sorted(map(shown, parts))
+    left_out = len(texts) - _MOST_NAMED
+    if left_out > 1:
+        texts = [*texts[:_MOST_NAMED], f"{left_out} more"]
+    said = " and ".join([", ".join(texts[:-1]), texts[-1]] if len(texts) > 1 else texts)
+    if not verb:
+        return said
+    return f"{said} {'is' if len(parts) == 1 else 'are'}"
+
+
+def _times(count: int) -> str:
+    return {1: "once", 2: "twice"}.get(count, f"{count} times")
+
+
+def _exact(value: Any) -> str:
+    """A value with its type and all its digits, for two that look alike."""
+    text = repr(value)
+    cut = text if len(text) <= _LONGEST_EXACT else f"{text[: _LONGEST_EXACT - 1]}…"
+    return f"the {type(value).__name__} {cut}"
