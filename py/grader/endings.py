@@ -46,9 +46,9 @@ def ending_of(job: dict[str, Any], trace: Trace) -> Ending:
     found = doubt(trace, World.from_dict(job["world"]))
     if found is not None:
         reason, seconds = found
-        words = "a run that the robot can have made"
+        words = "a run that the robot could have made"
         got = f"{reason} (at {seconds:.2f} s)"
-        likely = "the program has got behind the robot's calls"
+        likely = "the program reaches past the robot's calls, to what lies behind them"
         return Ending("doubted", _failed(words, got, job, seconds, likely))
     return Ending("finished", None)
 

@@ -115,15 +115,15 @@ def _refuse_what_is_no_answer(call: Call, answer: dict[str, Any]) -> None:
         own = f"{call.function.name}{answer['parameters']}"
         raise ProgramFailed(
             f"a function {signature} that can be called with {_count(len(call.arguments))}",
-            f"yours is {own}, which can't",
+            f"yours is {own}, which can't be called like that",
             likely="the function's parameters are not those that the task names",
         )
     if "late" in answer:
         line = answer["late"]
-        where = f", on line {line}" if isinstance(line, int) else ""
+        where = f" on line {line}" if isinstance(line, int) else ""
         raise CheckFailed(
             f"an answer to {call}",
-            f"it went on computing{where}, and was ended",
+            f"it was still computing{where} when it was stopped",
             likely="perhaps a loop never ends: does what it tests change inside it?",
         )
 
@@ -135,7 +135,7 @@ def _count(arguments: int) -> str:
 def _near_name(near: object) -> str | None:
     if not isinstance(near, str):
         return None
-    return f"the program has {near}: is that the one, under another name?"
+    return f"the program has {near}: perhaps that is the one, under another name"
 
 
 def _value(answer: dict[str, Any]) -> Any:

@@ -62,21 +62,25 @@ class Line:
             nearest = (max if rising else min)(within, default=self.points[0][1])
             when = "" if by is None else f" by {by:g} s"
             raise self.run.failure(
-                f'"{self.name}" to reach {value:g}{when}', f"it comes to {nearest:.3g}", seconds=by
+                f'the line "{self.name}" to reach {value:g}{when}',
+                f"it only gets to {nearest:.3g}",
+                seconds=by,
             )
         return self
 
     def follows(self, reference: Sequence[tuple[float, float]], within: float) -> Line:
         """Expect each point within so much of a reference's value at its time."""
         if not reference:
-            raise self.run.failure("a scan to plot something about", "the run has none")
+            raise self.run.failure("a scan to plot something of", "the run has none")
         for t, value in self.points:
             right = _value_at(reference, t)
             # What is plotted just before the scan of the same moment is right as well.
             before = _value_at(reference, t - 1e-6)
             if min(abs(value - right), abs(value - before)) > within:
                 raise self.run.failure(
-                    f'"{self.name}" {right:.3f} at {t:.2f} s', f"{value:.3f}", seconds=t
+                    f'the line "{self.name}" at {right:.3f} after {t:.2f} s',
+                    f"{value:.3f}",
+                    seconds=t,
                 )
         return self
 

@@ -1,6 +1,7 @@
 """The map that a run has drawn, and what is expected of it.
 
-May import: the standard library, `bugbot.errors`, `mapping`, `grader.failures`, `grader.scans`.
+May import: the standard library, `bugbot.errors`, `mapping`, `grader.failures`, `grader.naming`,
+`grader.scans`.
 
 A map is judged by what is drawn on the mat: squares in two layers, one of the cells that it calls
 free and one of those it calls occupied. What variables hold it in the program is nobody's business,
@@ -15,8 +16,9 @@ from functools import cached_property
 from math import ceil
 from typing import TYPE_CHECKING, Any
 
-from bugbot.errors import WrongValueError, counted, nearest
+from bugbot.errors import WrongValueError, counted, with_article
 from bugbot.frames import MAT_CM
+from grader.naming import perhaps_meant, what_there_is
 from mapping.frontiers import State, known_states
 from mapping.grid import Grid
 from mapping.mapper import Mapper
@@ -212,7 +214,7 @@ class Map:
         index = self.grid.index_at(x, y)
         if index is not None and self.states[index] is not wanted:
             self._fail(
-                f"the cell at ({x:g}, {y:g}) {state}",
+                f"{with_article(state)} cell at ({x:g}, {y:g})",
                 self.states[index].name.lower(),
                 self._cells([index]),
             )
@@ -229,7 +231,7 @@ class Map:
                 if pair[0] is not pair[1]
             ]
             self._fail(
-                f"a map that is what its scans say in at least {at_least:g} % of the known cells",
+                f"a map that agrees with its scans in at least {at_least:g} % of the known cells",
                 f"{percent:.1f} %: {counted(len(differing), 'cell differs', 'cells differ')}",
                 self._cells(differing),
             )
@@ -311,7 +313,8 @@ def drawn_map(
         elif grid.cell_cm != drawn["size"]:
             raise run.failure(
                 "all layers of the map with cells of one size",
-                f'"{name}" has squares of {drawn["size"]:g} cm, the layer before {grid.cell_cm:g}',
+                f'the squares of "{name}" are {drawn["size"]:g} cm wide, the others '
+                f"{grid.cell_cm:g} cm",
             )
         _fill(run, grid, states, name, state, drawn["points"], seconds)
     assert grid is not None
@@ -321,12 +324,10 @@ def drawn_map(
 def _layer(run: Run, name: str, seconds: float) -> dict[str, Any]:
     layers = run.layers(seconds)
     if name not in layers:
-        others = ", ".join(f'"{each}"' for each in layers) or "none"
-        near = nearest(name, layers)
         raise run.failure(
             f'a layer named "{name}", drawn with draw("{name}", …)',
-            f"the layers drawn are: {others}",
-            likely=f'the layer "{near}" is the one that is meant' if near else None,
+            what_there_is("layer", "layers", layers),
+            likely=perhaps_meant("layer", name, layers),
         )
     return layers[name]
 
@@ -336,7 +337,7 @@ def _grid(run: Run, name: str, size: float) -> Grid:
         return Grid(size)
     except WrongValueError:
         raise run.failure(
-            f'squares of the side of a cell in the layer "{name}"', f"squares of {size:g} cm"
+            f'squares as large as a cell in the layer "{name}"', f"squares of {size:g} cm"
         ) from None
 
 

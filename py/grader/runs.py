@@ -13,7 +13,7 @@ from functools import cached_property
 from math import hypot
 from typing import Any
 
-from bugbot.errors import counted, nearest
+from bugbot.errors import counted
 from bugbot.frames import wrap_heading
 from bugbot.run.outcome import outcome_of
 from bugbot.sim.odometry import Odometry
@@ -25,6 +25,7 @@ from grader.failures import AuthorError, CheckFailed
 from grader.jobs import died_of
 from grader.lines import Line
 from grader.maps import Map, drawn_map, reference_map
+from grader.naming import perhaps_meant, what_there_is
 from grader.scans import Scan, SeenAs, beams_of, evidence_at, mapper_of, scans_of
 from grader.surfaces import surfaces_met
 from grader.traces import trace_from
@@ -266,8 +267,8 @@ class Run:
         """The points of a layer at the end; fails if it was never drawn."""
         layers = self.layers()
         if name not in layers:
-            others = ", ".join(f'"{each}"' for each in layers) or "none"
-            raise self.failure(f'a layer named "{name}"', f"the layers drawn are: {others}")
+            there = what_there_is("layer", "layers", layers)
+            raise self.failure(f'a layer named "{name}"', there)
         points: list[tuple[float, float]] = layers[name]["points"]
         return points
 
@@ -276,19 +277,17 @@ class Run:
     def line(self, name: str) -> Line:
         """A line of the chart; fails if nothing was plotted under that name."""
         if name not in self._series:
-            others = ", ".join(f'"{each}"' for each in self._series) or "none"
-            near = nearest(name, self._series)
             raise self.failure(
                 f'a line named "{name}" in the chart, drawn with plot("{name}", …)',
-                f"the lines plotted are: {others}",
-                likely=f'the line "{near}" is the one that is meant' if near else None,
+                what_there_is("line in the chart", "lines in the chart", self._series),
+                likely=perhaps_meant("line", name, self._series),
             )
         return Line(self, name, [(t, value) for t, value in self._series[name]])
 
     def prints(self, text: str) -> Run:
         """Expect a text in what was printed."""
         if text not in self.console:
-            raise self.failure(f"{text!r} printed", self.last_printed)
+            raise self.failure(f"a printed line with {text!r}", self.last_printed)
         return self
 
     def number_after(self, text: str) -> float:
@@ -313,13 +312,14 @@ class Run:
         self, is_there: Callable[[float, float], object], what: str, by: float | None = None
     ) -> Run:
         """Expect the robot to come to where `is_there(x, y)` holds, by a time if need be."""
-        end = _END if by is None else by
-        if not any(is_there(x, y) for t, x, y, _ in self.path if t <= end):
+        there = next((t for t, x, y, _ in self.path if is_there(x, y)), None)
+        if there is None or (by is not None and there > by):
             _, x, y, _ = self.path[-1]
             when = "" if by is None else f" within {by:g} s"
+            never = f"it never got there, and ended at ({x:.0f}, {y:.0f})"
             raise self.failure(
                 f"the robot to reach {what}{when}",
-                f"it never did; it ended at ({x:.0f}, {y:.0f})",
+                never if there is None else f"it got there after {there:.1f} s",
                 seconds=self.seconds,
             )
         return self
@@ -370,7 +370,9 @@ class Run:
     def scanned(self, at_least: int) -> Run:
         """Expect so many looks with the depth sensor."""
         if len(self.scans) < at_least:
-            raise self.failure(f"at least {counted(at_least, 'scan')}", f"{len(self.scans)}")
+            raise self.failure(
+                f"at least {counted(at_least, 'scan')}", counted(len(self.scans), "scan")
+            )
         return self
 
     def pose_at(self, seconds: float) -> tuple[float, float, float]:

@@ -228,7 +228,7 @@ class Task:
         """Expect a number, within so much; `what` names it: "the drift in degrees/s"."""
         self.expect(
             abs(got - expected) <= within,
-            expected=f"{what} is {shown(round(expected, 3))}, within {within:g}",
+            expected=f"{what} is {shown(round(expected, 3))}, give or take {within:g}",
             got=shown(got),
             run=run,
         )

@@ -67,9 +67,9 @@ def _moves(rows: Any, longest_s: float) -> list[Any]:
         if type(row) is int and row in _LOOKS:
             continue
         if not (isinstance(row, list) and len(row) == 5 and all(map(_is_number, row[:4]))):
-            raise MalformedError("a move is none")
+            raise MalformedError("one of its moves is no move")
         if type(row[4]) is not bool or not 0 <= row[3] <= longest_s:
-            raise MalformedError("a move is none")
+            raise MalformedError("one of its moves is no move")
     return rows
 
 
@@ -80,7 +80,7 @@ def _event(row: Any, points: int) -> Event:
         raise MalformedError("an event is of no known kind")
     for field, value in zip(fields, row[1:], strict=True):
         if not _sound(row[0], field, value):
-            raise MalformedError(f"an event of the kind {row[0]} has a {field} that is none")
+            raise MalformedError(f"an event of the kind {row[0]} has a wrong {field}")
     if row[0] == "layer" and row[6] + row[7] > points:
         raise MalformedError("a layer has more points than there are")
     return tuple(row)

@@ -107,15 +107,16 @@ def untrue(reason: str, stop: Stop, *, far_cm: float, time_s: float) -> Untrue |
     if reason == "none":
         if not frontier:
             return None
-        count = f"{len(frontier)} frontier cell{'' if len(frontier) == 1 else 's'}"
-        return Untrue("no frontier cell on its last map", f"there are {count}", _sorted(frontier))
+        one = len(frontier) == 1
+        there = "there is 1 frontier cell" if one else f"there are {len(frontier)} frontier cells"
+        return Untrue("no frontier cell on its last map", there, _sorted(frontier))
     large = _large(stop, frontier)
     if reason == "small":
         if not large:
             return None
         return Untrue(
             f"no frontier of {LARGE} cells or more on its last map that it has not been near to",
-            f"there is one of {len(large[0])}",
+            f"there is one of {len(large[0])} cells",
             tuple(large[0]),
         )
     if not frontier:

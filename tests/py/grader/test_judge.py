@@ -108,7 +108,7 @@ def test_a_world_of_the_lessons_own_is_used() -> None:
         ({"answers": [{"answers": [{"value": {"no": 1}}] * 2}] * 2}, "garbled"),
         ({"answers": [{"answers": [{}] * 2}] * 2}, "garbled"),
         ({"answers": [{"status": "finished", "message": "It left."}] * 2}, "It left."),
-        ({"answers": None, "died": "time"}, "it computed on and on"),
+        ({"answers": None, "died": "time"}, "it did not stop computing"),
         ({"answers": None, "died": "crash"}, "Python itself broke down"),
         ({"answers": None, "died": "The lights went out."}, "The lights went out."),
     ],

@@ -253,7 +253,7 @@ NO_WALL = squares("occupied", "[]")
             'draw("free", [(102.5, 62.5)], "blue", "dots", 5)\n',
             'the shape is missing: draw("free", points, colour, "squares", CELL)',
         ),
-        (squares("fre", "[]"), 'the layer "fre" is the one that is meant'),
+        (squares("fre", "[]"), 'perhaps your layer "fre" is meant: call it "free"'),
         (squares("goal", "[]"), None),
         (
             squares("free", "[(100, 60)]") + NO_WALL,
@@ -271,10 +271,10 @@ def test_the_likely_cause_of_a_map_that_is_none(program: str, likely: str | None
 def test_the_layers_that_were_drawn_are_listed() -> None:
     first = judged(squares("goal", "[]") + squares("way", "[]"))
     assert first is not None
-    assert first["got"] == 'the layers drawn are: "goal", "way"'
+    assert first["got"] == 'the layers are "goal" and "way"'
     nothing = judged("")
     assert nothing is not None
-    assert nothing["got"] == "the layers drawn are: none"
+    assert nothing["got"] == "there is no layer"
 
 
 def test_where_a_square_is_no_cell_is_told() -> None:

@@ -88,8 +88,8 @@ def test_an_expectation_that_is_met(expectation: str, program: str) -> None:
             "100.0 %: 1 of 1 cell",
         ),
         ("run.map().cells_of(10)", MAP, "cells of 10 cm", "cells of 5 cm"),
-        ('run.map().cell(101, 61, "occupied")', MAP, "the cell at (101, 61) occupied", "free"),
-        ("run.map()", SQUARES, 'a layer named "occupied"', 'the layers drawn are: "free"'),
+        ('run.map().cell(101, 61, "occupied")', MAP, "an occupied cell at (101, 61)", "free"),
+        ("run.map()", SQUARES, 'a layer named "occupied"', 'the only layer is "free"'),
         (
             "run.map()",
             MAP.replace("squares", "dots"),
@@ -102,12 +102,12 @@ def test_an_expectation_that_is_met(expectation: str, program: str) -> None:
             .replace("62.5", "65")
             .replace("(102.5, 65", "(105, 65"),
             "all layers of the map with cells of one size",
-            '"occupied" has squares of 5 cm, the layer before 10',
+            'the squares of "occupied" are 5 cm wide, the others 10',
         ),
         (
             "run.map()",
             MAP.replace('"squares", 5', '"squares", 0.5'),
-            'squares of the side of a cell in the layer "free"',
+            'squares as large as a cell in the layer "free"',
             "squares of 0.5 cm",
         ),
         (
@@ -128,12 +128,12 @@ def test_an_expectation_that_is_met(expectation: str, program: str) -> None:
             "each cell either free or occupied",
             "1 cell is drawn as both",
         ),
-        ('run.layer("goal")', MAP, 'a layer named "goal"', 'the layers drawn are: "free"'),
+        ('run.layer("goal")', MAP, 'a layer named "goal"', 'the layers are "free" and "occupied"'),
         (
             'run.line("known %")',
             "plot('known', 1)",
             'a line named "known %"',
-            'the lines plotted are: "known"',
+            'the only line in the chart is "known"',
         ),
         (
             'run.line("a").ends(at_least=2)',
@@ -150,19 +150,19 @@ def test_an_expectation_that_is_met(expectation: str, program: str) -> None:
         (
             'run.line("a").reaches(5, by=2)',
             "plot('a', 1)\nwait(3)\nplot('a', 6)",
-            '"a" to reach 5 by 2 s',
-            "it comes to 1",
+            'the line "a" to reach 5 by 2 s',
+            "it only gets to 1",
         ),
         (
             'run.line("a").follows(run.evidence_at(100, 100), 0.1)',
             "plot('a', 1)",
-            '"a" 0.000 at 0.00 s',
+            'the line "a" at 0.000 after 0.00 s',
             "1.000",
         ),
         (
             'run.prints("hello")',
             "print('HELLO')",
-            "'hello' printed",
+            "a printed line with 'hello'",
             "the last line printed is 'HELLO'",
         ),
         ('run.number_after("drift:")', "", "a number printed after 'drift:'", "nothing is printed"),
@@ -170,7 +170,13 @@ def test_an_expectation_that_is_met(expectation: str, program: str) -> None:
             'run.visits(lambda x, y: y > 60, "up there", by=1)',
             "wait(2)",
             "the robot to reach up there within 1 s",
-            "it never did; it ended at (100, 40)",
+            "it never got there, and ended at (100, 40)",
+        ),
+        (
+            'run.visits(lambda x, y: y > 60, "up there", by=1)',
+            "forward(50)\nwait(9)",
+            "the robot to reach up there within 1 s",
+            "it got there after 3.5 s",
         ),
         (
             "run.never_bumps()",
@@ -184,7 +190,7 @@ def test_an_expectation_that_is_met(expectation: str, program: str) -> None:
         (
             'task.near(run.seconds, 3, 0.5, "the time", run=run)',
             "wait(2)",
-            "the time is 3, within 0.5",
+            "the time is 3, give or take 0.5",
             "2.0",
         ),
         ('task.expect(False, expected="far", got="near")', "", "far", "near"),
@@ -281,7 +287,7 @@ def test_a_map_that_scans_do_not_bear_out_is_told_apart() -> None:
     shifted = changed(("(cell % ACROSS + 0.5)", "((cell + 3) % ACROSS + 0.5)"))
     mark = marked(SLIPS, shifted)
     assert statuses(mark)[1] == "failed"
-    assert mark["checks"][1]["expected"].startswith("a map that is what its scans say")
+    assert mark["checks"][1]["expected"].startswith("a map that agrees with its scans")
     assert mark["checks"][1]["where"]["cells"]
 
 

@@ -68,7 +68,7 @@ def test_that_none_is_left_is_true_without_a_frontier_cell() -> None:
     one = WHOLE.copy()
     one[0] = U
     one[1] = O
-    assert wrong("none", stop(one)) == "there are 1 frontier cell"
+    assert wrong("none", stop(one)) == "there is 1 frontier cell"
     found = untrue("none", stop(one), far_cm=1500, time_s=100)
     assert found is not None
     assert found.cells == (20,)
@@ -76,7 +76,7 @@ def test_that_none_is_left_is_true_without_a_frontier_cell() -> None:
 
 def test_small_is_what_is_smaller_than_any_programs_limit() -> None:
     assert LARGE == 20
-    assert wrong("small", stop(MORE)) == "there is one of 20"
+    assert wrong("small", stop(MORE)) == "there is one of 20 cells"
     narrow = MORE.copy()
     narrow[15 * 20] = O  # nineteen cells are left of the row before the unknown
     assert wrong("small", stop(narrow)) is None
