@@ -31,7 +31,7 @@ from bugbot.errors import got, nearest
 from bugbot.run.faults import fault_of
 from bugbot.run.limits import LimitReached
 from bugbot.trace import Trace
-from performer.limits import CALL_S
+from performer.limits import CALL_S, FEW_LINES_A_S, SLOW
 from performer.values import decoded, encoded
 
 __all__ = ["Caller"]
@@ -63,7 +63,10 @@ class Caller:
         self.stopped_on: int | None = None
         """The line on which the program was ended because it had computed for too long."""
         self._left_on: int | None = None
-        self._until = 0.0
+        self._began = 0.0
+        self._patience = 0.0
+        self._lines = 0
+        """How many of its lines the program has got through since then."""
         self._before: Any = None
         """Who looked on before: a debugger, a measure of coverage, or nobody."""
         self._trace: Trace | None = None
@@ -155,8 +158,11 @@ class Caller:
 
         In a browser nothing interrupts a program from outside; so it is looked at on each of its
         own lines. What computes inside one single line is ended by whoever runs the performer.
+
+        A browser has no clock of the processor, so waiting for it counts as well. A program that
+        gets through few lines has longer: a busy machine must not cost anybody a mark.
         """
-        self._until = cpu_time() + seconds
+        self._began, self._patience, self._lines = cpu_time(), seconds, 0
         before = self._before = sys.gettrace()
         sys.settrace(self._on_line)
         try:
@@ -169,10 +175,17 @@ class Caller:
             return None
         if event == "return":
             self._left_on = frame.f_lineno  # the last to return is the function that was called
-        if cpu_time() > self._until:
+        self._lines += 1
+        if self._is_late():
             self.late_on = frame.f_lineno
             raise _TooLate
         return self._on_line
+
+    def _is_late(self) -> bool:
+        taken = cpu_time() - self._began
+        if taken <= self._patience:
+            return False
+        return self._lines > FEW_LINES_A_S * self._patience or taken > SLOW * self._patience
 
 
 def _answer_of(returned: Any, arguments: list[Any], changes: int | None) -> dict[str, Any]:

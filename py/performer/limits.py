@@ -7,7 +7,15 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["AGAIN_S", "CALLS_LIMITS", "CALL_S", "PROGRAM_S", "RUN_LIMITS"]
+__all__ = [
+    "AGAIN_S",
+    "CALLS_LIMITS",
+    "CALL_S",
+    "FEW_LINES_A_S",
+    "PROGRAM_S",
+    "RUN_LIMITS",
+    "SLOW",
+]
 
 RUN_LIMITS: dict[str, Any] = {
     "simulated_s": 120.0,
@@ -31,3 +39,10 @@ AGAIN_S = 1.0
 
 CALL_S = 2.0
 """Seconds of the processor that one call of a learner's function may take."""
+
+FEW_LINES_A_S = 2000
+"""A program that gets through fewer of its lines in a second is in no endless loop of its own: it
+is still importing a module, or the machine is slow or busy with other things."""
+
+SLOW = 5
+"""Such a program has so many times as long."""

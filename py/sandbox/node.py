@@ -15,16 +15,17 @@ import json
 import os
 import subprocess
 import threading
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from queue import Empty, Queue
 from time import monotonic
 from types import TracebackType
 from typing import IO, Any
 
-from sandbox.processes import end
+from sandbox.processes import computed_s, end
 from sandbox.walls import Walls, innermost, walls_for
 
 __all__ = ["NoSandboxError", "Sandbox", "SandboxError", "close_everything", "prepared"]
@@ -34,6 +35,12 @@ _PREPARE = _ROOT / "site" / "build" / "sandbox.mjs"
 
 _START_S = 120.0
 """A machine that takes longer to start an interpreter has a trouble of its own [s]."""
+
+_WAITS = 10
+"""A process that has its part of the processor is done after so many times its limit."""
+
+_LOOK_S = 0.05
+"""How soon to look again at what a process has computed [s]."""
 
 _MOST_BYTES = 100_000_000
 """A longer answer is no answer."""
@@ -103,13 +110,14 @@ class Sandbox:
         process, lines = self._start()
         try:
             _expect(lines, b"ready")
-            close_everything(innermost(process.pid), job["limits"]["real_s"])
+            inner = innermost(process.pid)
+            close_everything(inner, job["limits"]["real_s"])
             assert process.stdin is not None
             with suppress(BrokenPipeError):  # it has died: its last line says so
                 process.stdin.write(json.dumps({"job": job, "program": program}).encode())
                 process.stdin.close()
             _expect(lines, b"begun")
-            return _answer(job, lines)
+            return _answer(job, lines, partial(computed_s, inner))
         finally:
             self.close()
 
@@ -158,23 +166,29 @@ def _expect(lines: Queue[bytes], word: bytes) -> None:
         raise SandboxError(f"the locked-down Python did not start: {_words(line)}")
 
 
-def _answer(job: dict[str, Any], lines: Queue[bytes]) -> dict[str, Any]:
+def _answer(
+    job: dict[str, Any], lines: Queue[bytes], spent_s: Callable[[], float]
+) -> dict[str, Any]:
+    """What comes of the job; only the time that it computes counts against its limits."""
     limits = job["limits"]
     # Calls end their own endless loops, and tell nothing of simulated time.
     silent_s = limits["real_s"] if job["kind"] == "calls" else limits["silent_s"]
-    late = monotonic() + limits["real_s"]
-    silent = monotonic() + silent_s
+    began = spent_s()
+    gone = monotonic() + _WAITS * limits["real_s"]
+    late, silent = began + limits["real_s"], began + silent_s
     reached = 0.0
     while True:
         try:
-            line = lines.get(timeout=max(0.0, min(late, silent) - monotonic()))
+            line = lines.get(timeout=max(_LOOK_S, min(late, silent) - spent_s()))
         except Empty:
-            return _died(job, "time")
+            if spent_s() >= min(late, silent) or monotonic() >= gone:
+                return _died(job, "time")
+            continue
         word, _, rest = line.partition(b" ")
         if word == b"beat":
             if float(rest) > reached:
                 reached = float(rest)
-                silent = monotonic() + silent_s
+                silent = spent_s() + silent_s
         elif word == b"result":
             return _result(job, rest)
         elif word == b"failed":
