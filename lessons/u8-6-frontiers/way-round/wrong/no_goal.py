@@ -1,4 +1,4 @@
-# earns: [(3, 3), (4, 3), (5, 3)]
+# earns: the goal is missing
 # A way round
 #
 # The red dot is not to be reached in a straight line.
