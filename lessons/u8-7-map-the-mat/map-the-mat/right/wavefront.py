@@ -1,7 +1,7 @@
 # style: a wave from the robot to the nearest frontier, a list of lists, each crossed cell once
 from bugbot import *
 from collections import deque
-from math import atan2, ceil, cos, floor, hypot, inf, radians, sin
+from math import atan2, ceil, cos, degrees, floor, hypot, inf, radians, sin
 
 CELL, N, FAR = 5, 40, 170
 START_X, START_Y = 100, 25
@@ -77,7 +77,7 @@ def eight(c, r):
 
 
 def worth_it(edge):
-    """The frontier cells that have not been given up, in groups of four and more."""
+    """The frontier cells that have not been given up, in groups of five and more."""
     left, good = edge - given_up, set()
     while left:
         group, todo = set(), [left.pop()]
@@ -87,7 +87,7 @@ def worth_it(edge):
             near = left.intersection(eight(*cell))
             left -= near
             todo.extend(near)
-        if len(group) > 3:
+        if len(group) > 4:
             good |= group
     return good
 
@@ -178,9 +178,16 @@ def show():
 
 
 def turn_round(cells=()):
-    for tick in range(50):
-        drive_to(*here())
-        if cells and tick % 5 == 4 and not read_map()[1].intersection(cells):
+    """Once round, or until each of the cells has been looked at for a while."""
+    x, y = here()
+    looks = dict.fromkeys(cells, 0)
+    for _ in range(50):
+        drive_to(x, y)
+        for cell in looks:
+            to_x, to_y = middle(cell)
+            off = degrees(atan2(to_x - x, to_y - y)) - heading()
+            looks[cell] += abs((off + 180) % 360 - 180) < 20
+        if looks and min(looks.values()) > 3:
             return
 
 
@@ -232,5 +239,3 @@ why = explore()
 stop()
 show()
 print(f"The robot stops: {why}.")
-
-# The wave is begun anew at every goal.
