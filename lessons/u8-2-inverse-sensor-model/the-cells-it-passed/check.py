@@ -6,7 +6,7 @@ The robot faces 20 degrees meanwhile, so that a heading which is added to the an
 from math import ceil, degrees
 
 from bugbot.frames import cell_of
-from grader import calls, check, function, lacks, loops, mistake, number, operator, reads
+from grader import calls, check, code, function, lacks, loops, mistake, number, operator, reads
 from mapping.beam import end_of_beam
 
 CELL = 5
@@ -76,6 +76,13 @@ def only_the_end(x, y, angle, reading):
     return [cell_of(*end_of_beam(x, y, angle, reading - CELL), CELL)]
 
 
+def without_star(x, y, angle, reading):
+    """The point goes to cell_of in one piece."""
+    if reading > CELL:
+        raise TypeError("cell_of() missing 1 required positional argument: 'y'")
+    return []
+
+
 ONE_CENTIMETRE = "steps of 1 cm find cells that the beam hardly touches: step half a cell, CELL / 2"
 
 cells_passed = function(
@@ -84,6 +91,13 @@ cells_passed = function(
     compare=same_cells,
     cell_cm=CELL,
     mistakes=[
+        mistake(
+            "a star is missing: cell_of wants x and y, and end_of_beam gives both in one; "
+            "cell_of(*end_of_beam(...)) takes them apart",
+            without_star,
+            2,
+            where=code("cell_of(end_of_beam(_, _, _, _))"),
+        ),
         mistake(
             "only one cell of the beam came out: walk along it, and append the cell at each step",
             only_the_end,

@@ -3,7 +3,8 @@
 from dataclasses import dataclass
 from math import exp, floor
 
-from grader import check, function
+from grader import check, code, function, lacks
+from grader import mistake as cause
 from mapping.beam import clear_length, end_of_hit, passed_by_steps
 from mapping.grid import Grid
 
@@ -92,6 +93,13 @@ def plots_cells(run):
 
 
 MISTAKES = [
+    cause(
+        "where a beam found nothing, hit is None: ask before you add L_OCC",
+        lambda run: "NoneType" in run.error,
+        1,
+        where=lacks(code("_ is not None", "_ is None", "_ != None", "_ == None")),
+        broken_off=True,
+    ),
     (
         "the log odds stay at 0: store what comes out back into the list, log_odds[cell] = ...",
         lambda run: all(value == 0 for name in CELLS for _, value in run.line(name).points),

@@ -1,6 +1,6 @@
 """wall_direction(looks) and drift_rate(first, second, seconds), and the drift of a whole run."""
 
-from math import atan2, cos, degrees, pi, radians, sin
+from math import atan, atan2, cos, degrees, pi, radians, sin
 
 from grader import calls, check, function, mistake, near, number
 
@@ -27,6 +27,17 @@ def line_by(facing=lambda facing: facing, far=170, mean=True, angle=None):
     return wall_direction
 
 
+def by_slope(squares, _, products):
+    """The line with the smallest distances straight up: none if the wall runs up the mat."""
+    return 90 - degrees(atan(products / squares))
+
+
+STRAIGHT_UP = (
+    "distances are measured straight up from the line, and so a wall up the mat comes out wrong: "
+    "measure them across the line, with half of atan2(2 * sxy, syy - sxx)"
+)
+
+
 def same_line(wanted, got):
     """Directions of lines: 0.1 and 179.9 are 0.2 apart; but an answer is from 0 to 180."""
     return (
@@ -51,6 +62,12 @@ wall_direction = function(
             "the angle is from the x axis: here directions "
             "are from straight up, so it is syy - sxx",
             line_by(angle=lambda a, b, c: degrees(atan2(2 * c, a - b)) / 2 % 180),
+            1,
+        ),
+        (STRAIGHT_UP, line_by(angle=by_slope), 1),
+        (
+            STRAIGHT_UP,
+            line_by(angle=lambda a, b, c: 90 - degrees(atan2(c, a))),
             1,
         ),
         (

@@ -104,6 +104,10 @@ def went(run):
 
 SLIPS = [
     (
+        "not one cell is black: the cells above KNOWN are walls, and belong in the layer occupied",
+        lambda run: run.map().score.occupied == 0,
+    ),
+    (
         "it looked round and went nowhere: choose_goal has to find a cell to go to",
         lambda run: went(run) < 5 and "nobody" in said(run),
         0,
