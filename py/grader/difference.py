@@ -34,6 +34,8 @@ def difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
     ('19 as item 19 (counted from 0)', '7')
     """
     path: list[int] = []
+    if _takes_any_order(compare, expected):
+        return _of_any_order(compare, expected, got)
     while (index := _first_apart(compare, expected, got)) is not None:
         path.insert(0, index)
         expected, got = expected[index], got[index]
@@ -57,6 +59,36 @@ def _first_apart(compare: Compare, expected: Any, got: Any) -> int | None:
     return next((index for index, pair in enumerate(pairs) if not compare(*pair)), None)
 
 
+def _takes_any_order(compare: Compare, expected: Any) -> bool:
+    """Whether a check's own way to compare long rows of cells does not mind their order."""
+    if isinstance(compare, InAnyOrder) or not isinstance(expected, list | tuple):
+        return False
+    if len(expected) <= _LONG or not all(isinstance(each, list | tuple) for each in expected):
+        return False
+    turned = expected[::-1]
+    return turned != expected and _right(compare, expected, turned)
+
+
+def _of_any_order(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
+    if not isinstance(got, list | tuple | set | frozenset):
+        return shown(expected), shown(got)
+    one = "item"
+    if _right(compare, expected, [*expected, expected[0]]):  # nor how often a part is there
+        expected, got, one = _distinct(expected), _distinct(got), "different item"
+    return _what_is_missing(expected, got, lambda part: unordered(part, 0), one)
+
+
+def _right(compare: Compare, expected: Any, got: Any) -> bool:
+    try:
+        return compare(expected, got)
+    except Exception:
+        return False  # a check's own comparison need not be ready for this
+
+
+def _distinct(parts: Any) -> list[Any]:
+    return list({unordered(part, 0): part for part in parts}.values())
+
+
 def _leaf(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
     both = (expected, got)
     are_sets = all(isinstance(each, set | frozenset) for each in both)
@@ -73,7 +105,9 @@ def _leaf(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
     return shown(expected), shown(got)
 
 
-def _what_is_missing(expected: Any, got: Any, key: Callable[[Any], Hashable]) -> tuple[str, str]:
+def _what_is_missing(
+    expected: Any, got: Any, key: Callable[[Any], Hashable], one: str = "item"
+) -> tuple[str, str]:
     wanted, there = (Counter(map(key, each)) for each in (expected, got))
     parts = {key(each): each for each in (*expected, *got)}
     missing = [parts[each] for each in wanted if each not in there]
@@ -86,8 +120,8 @@ def _what_is_missing(expected: Any, got: Any, key: Callable[[Any], Hashable]) ->
         for each in list(wanted)
         if each in there and wanted[each] != there[each]
     ][:_MOST_NAMED]
-    right = f"{counted(len(expected), 'item')} in any order"
-    wrong = counted(len(got), "item") if got else "none"
+    right = f"{counted(len(expected), one)} in any order"
+    wrong = counted(len(got), one) if got else "none"
     return right, f"{wrong}: {', and '.join(clauses)}" if clauses and got else wrong
 
 

@@ -147,6 +147,31 @@ def test_a_difference_in_words(
     assert words[0] != words[1]
 
 
+def cells_in_any_order(expected: Any, got: Any) -> bool:
+    return {tuple(cell) for cell in expected} == {tuple(cell) for cell in got}
+
+
+def test_a_comparison_that_minds_no_order_is_told_what_is_missing() -> None:
+    cells = [(column, 3) for column in range(9) for _ in range(2)]
+    for got, told in (
+        (cells[2:], "8 different items: (0, 3) is missing"),
+        ({(9, 3), *cells}, "10 different items: (9, 3) should not be there"),
+        (
+            [[9, 3], *cells[2:]],
+            "9 different items: (0, 3) is missing, and [9, 3] should not be there",
+        ),
+        ([], "none"),
+        (None, "None"),
+    ):
+        assert difference(cells_in_any_order, cells, got)[1] == told
+    assert difference(cells_in_any_order, cells, [])[0] == "9 different items in any order"
+    counted_too = in_any_order.deep(1)
+    assert difference(lambda a, b: counted_too(a, b), cells, cells[1:]) == (
+        "18 items in any order",
+        "17 items: (0, 3) is there once, not twice",
+    )
+
+
 def test_what_differs_only_as_a_whole_is_shown_as_a_whole() -> None:
     def sums(expected: Any, got: Any) -> bool:
         return isinstance(expected, int) or sum(expected) == sum(got)

@@ -27,6 +27,7 @@ COUNTED = "item 0 (counted from 0)"
         ("return math.inf, 3", f"{COUNTED} is infinite"),
         ("return object(), 3", f"{COUNTED} is an object; the task asks for a whole number"),
         ("return Decimal(int(x // 10)), y // 10", "the numbers are right, but they are Decimals"),
+        ("return '37'", "it is a text, '37'; the task asks for a tuple of 2, such as (3, 7)"),
         ("return '3', '7'", f"{COUNTED} is a text, '3'; the task asks for a whole number"),
         ("return True, 7", f"{COUNTED} is True; the task asks for a whole number"),
         ("return True", "it is True; the task asks for a tuple of 2"),

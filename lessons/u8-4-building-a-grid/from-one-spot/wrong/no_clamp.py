@@ -1,4 +1,4 @@
-# earns: it is -16
+# earns: -16
 # A map from one spot
 #
 # The robot turns on the spot in a corner of the mat.
