@@ -92,6 +92,54 @@ test("no way out of the sandbox is open", async ({ app, page }) => {
   expect(await pageState()).toEqual(before);
 });
 
+test("where workers are made, the policy alone lets nothing be fetched, not even from the site", async ({
+  app,
+  page,
+}) => {
+  await app.openLab("world=empty");
+  await page.locator("iframe[srcdoc]").waitFor({ state: "attached" });
+  // What the policy stops is told as a request that failed.
+  const answered: string[] = [];
+  page.on("response", (response) => answered.push(response.url()));
+  // JavaScript in such a worker, before anything was taken from it.
+  const answers = await page.evaluate(async () => {
+    const frame = document.querySelector<HTMLIFrameElement>("iframe[srcdoc]");
+    const scope = frame?.contentWindow as Window & typeof globalThis;
+    const here = location.origin + location.pathname;
+    const script = `
+      const tried = (work) => new Promise((resolve) => resolve(work())).then(() => "open", () => "closed");
+      const file = ${JSON.stringify(here)};
+      const font = () => new FontFace("x", "url(" + file + "?font)").load();
+      const socket = () => new Promise((open, shut) => {
+        const one = new WebSocket(file.replace("http", "ws") + "?socket");
+        one.onopen = open; one.onerror = shut;
+      });
+      const events = () => new Promise((open, shut) => {
+        const one = new EventSource(file + "?events");
+        one.onopen = open; one.onerror = shut;
+      });
+      const request = () => new Promise((open, shut) => {
+        const one = new XMLHttpRequest();
+        one.onload = open; one.onerror = shut;
+        one.open("GET", file + "?request"); one.send();
+      });
+      Promise.all([
+        tried(() => fetch(file + "?fetch")), tried(font), tried(socket), tried(events), tried(request),
+        tried(() => new Function("1")), tried(() => import("data:text/javascript,1")),
+        tried(() => fetch("data:,text")), tried(() => WebAssembly.compile(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0))),
+      ]).then((answers) => postMessage(answers));`;
+    const worker = new scope.Worker(
+      scope.URL.createObjectURL(new scope.Blob([script], { type: "text/javascript" })),
+    );
+    return await new Promise((resolve) => {
+      worker.onmessage = ({ data }: MessageEvent<unknown>) => resolve(data);
+    });
+  });
+  // The last is allowed: Python is WebAssembly.
+  expect(answers).toEqual([...Array<string>(8).fill("closed"), "open"]);
+  expect(answered.filter((url) => /\?(font|socket|events|request|fetch)$/.test(url))).toEqual([]);
+});
+
 test("forged messages do nothing", async ({ app, page }) => {
   await app.openLab("world=empty");
   const lab = page.locator("bugbot-lab");

@@ -7,6 +7,7 @@
 import workerUrl from "../worker/worker.ts?worker&url";
 import { type Boot, type FromWorker, isFromWorker, type ToWorker } from "./messages.ts";
 import { isOfLoading, NotLoaded, refresh } from "./scripts.ts";
+import { startWorker } from "./worker-frame.ts";
 
 /** What one needs of an interpreter to work with it. */
 export interface Partner {
@@ -34,10 +35,10 @@ export class Interpreter implements Partner {
   #port: MessagePort;
   #listener: (message: FromWorker) => void = () => {};
 
-  constructor(boot: Boot) {
+  constructor(boot: Boot, worker: Worker) {
     const channel = new MessageChannel();
     this.#port = channel.port1;
-    this.#worker = startWorker();
+    this.#worker = worker;
     this.ready = new Promise((resolve, reject) => {
       this.#listener = (message) => {
         if (message.kind === "ready") resolve();
@@ -151,7 +152,7 @@ const LOADED = ["pyodide.mjs", "pyodide.asm.mjs"];
 
 /** A new interpreter, once it is ready. */
 async function begun(boot: Boot): Promise<Interpreter> {
-  const interpreter = new Interpreter(boot);
+  const interpreter = new Interpreter(boot, await startWorker(WORKER));
   try {
     await interpreter.ready;
   } catch (error) {
@@ -159,27 +160,4 @@ async function begun(boot: Boot): Promise<Interpreter> {
     throw error;
   }
   return interpreter;
-}
-
-/**
- * A worker whose script is a `blob:` inherits the page's Content-Security-Policy in every engine;
- * one that is started from a URL would have none on a host that can't send headers.
- *
- * The script is had by import(): without a network Firefox asks the service worker for those, not for
- * what a blob's `import` names. A message that comes before the script is held for it.
- */
-function startWorker(): Worker {
-  const url = JSON.stringify(WORKER);
-  const script = `
-    let early = null;
-    self.onmessage = (event) => { early = event; };
-    import(${url}).then(
-      () => { const held = early; early = null; if (held) self.onmessage(held); },
-      (error) => setTimeout(() => { throw error; }),
-    );`;
-  const blobUrl = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
-  const worker = new Worker(blobUrl, { type: "module", name: "Python" });
-  // The worker has taken its script by the time it says anything, and no later.
-  setTimeout(() => URL.revokeObjectURL(blobUrl), 60_000);
-  return worker;
 }
