@@ -1,6 +1,6 @@
 /**
  * The site's Content-Security-Policy, once: in every page as a meta element, for hosts that cannot
- * send headers. Workers are started from blob: addresses, so they inherit it.
+ * send headers. Workers are started from blob: addresses in a frame, and inherit that frame's.
  */
 const POLICY = {
   "default-src": ["'none'"],
@@ -13,6 +13,8 @@ const POLICY = {
   "connect-src": ["'self'"],
   // blob: for the worker itself; 'self' because what it imports counts as a worker's script.
   "worker-src": ["'self'", "blob:"],
+  // Workers are made in a frame with a narrower policy (runtime/worker-frame.ts).
+  "frame-src": ["'self'"],
   "manifest-src": ["'self'"],
   "base-uri": ["'none'"],
   "form-action": ["'none'"],

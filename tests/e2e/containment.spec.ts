@@ -97,13 +97,13 @@ test("where workers are made, the policy alone lets nothing be fetched, not even
   page,
 }) => {
   await app.openLab("world=empty");
-  await page.locator("iframe[srcdoc]").waitFor({ state: "attached" });
+  await page.locator("iframe").waitFor({ state: "attached" });
   // What the policy stops is told as a request that failed.
   const answered: string[] = [];
   page.on("response", (response) => answered.push(response.url()));
   // JavaScript in such a worker, before anything was taken from it.
   const answers = await page.evaluate(async () => {
-    const frame = document.querySelector<HTMLIFrameElement>("iframe[srcdoc]");
+    const frame = document.querySelector<HTMLIFrameElement>("iframe[src*=worker-frame]");
     const scope = frame?.contentWindow as Window & typeof globalThis;
     const here = location.origin + location.pathname;
     const script = `

@@ -50,7 +50,7 @@ test("damaged files are fetched anew, a page that does not come up offers a way 
   await page.keyboard.press("Escape");
   await app.write("print('mine')\n");
 
-  // A page, scripts, a style sheet, Python: emptied or altered, all of them at once.
+  // A page, scripts, a style sheet, Python, the workers' frame: emptied or altered, all of them at once.
   const damaged = await page.evaluate(async () => {
     const some = [
       /\/lab\/$/,
@@ -58,7 +58,8 @@ test("damaged files are fetched anew, a page that does not come up offers a way 
       /lit-.*\.js$/,
       /main-.*\.css$/,
       /interpreter-/,
-      /worker-/,
+      /worker-[^/]*\.js$/,
+      /worker-frame-/,
     ];
     let count = 0;
     for (const name of await caches.keys()) {
@@ -72,7 +73,7 @@ test("damaged files are fetched anew, a page that does not come up offers a way 
     }
     return count;
   });
-  expect(damaged).toBe(6);
+  expect(damaged).toBe(7);
   await page.reload();
   await app.run.click();
   await expect(app.console).toContainText("mine");
@@ -95,7 +96,7 @@ test("damaged files are fetched anew, a page that does not come up offers a way 
   renameSync(join(site.folder, lost), join(assets, lost));
   await note.getByRole("button", { name: "Reload without the offline copy" }).click();
   await expect(app.program).toBeVisible();
-  expect(await app.text()).toBe("print('mine')\n");
+  await expect.poll(() => app.text()).toBe("print('mine')\n");
   expect(await cacheNames(page)).toEqual([]);
   // The browser itself tells of the file that was lost.
   complaints.length = 0;

@@ -73,7 +73,7 @@ for (const file of files) {
 const OWN_WAY = [
   "early/arrivals.ts",
   "page/offline.ts",
-  "runtime/pool.ts",
+  "runtime/worker-frame.ts",
   "worker/interpreter.ts",
 ];
 

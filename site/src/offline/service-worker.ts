@@ -28,7 +28,7 @@ interface ServiceWorkerWorld {
   readonly registration: ServiceWorkerRegistration;
   readonly clients: {
     claim(): Promise<void>;
-    matchAll(options: { type: "window"; includeUncontrolled: boolean }): Promise<unknown[]>;
+    matchAll(options: { type: "window"; includeUncontrolled: boolean }): Promise<{ url: string }[]>;
   };
   skipWaiting(): Promise<void>;
   addEventListener(kind: "install" | "activate", listener: (event: Lasting) => void): void;
@@ -45,6 +45,8 @@ const shelf = new Shelf(world.registration.scope, SITE_FILES, {
     return btoa(String.fromCharCode(...new Uint8Array(digest)));
   },
 });
+/** A frame inside a page, where its workers are made (runtime/worker-frame.ts). */
+const WORKERS_FRAME = /\/worker-frame-[^/]*\.html$/;
 /** One fetching after the other: what one has fetched is not missing for the next. */
 let queue: Promise<void> = Promise.resolve();
 let queued = 0;
@@ -110,5 +112,6 @@ async function keep({ parts, used }: Extract<ToKeeper, { kind: "keep" }>): Promi
 async function tidy(): Promise<void> {
   const { installing, waiting } = world.registration;
   const windows = await world.clients.matchAll({ type: "window", includeUncontrolled: true });
-  if (!installing && !waiting && windows.length <= 1) await shelf.tidy();
+  const pages = windows.filter(({ url }) => !WORKERS_FRAME.test(url));
+  if (!installing && !waiting && pages.length <= 1) await shelf.tidy();
 }

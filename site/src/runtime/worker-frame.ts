@@ -2,37 +2,41 @@
  * Where the page's workers are made: a hidden frame whose policy allows scripts and nothing else.
  *
  * A worker whose script is a `blob:` inherits the Content-Security-Policy of the document that made
- * it, in every engine. The page itself may fetch, and show fonts and images, from its own server;
- * a worker needs none of that, as the page hands it everything but its scripts. Imports nothing of ours.
+ * it, in every engine; one that is started from a URL would have none on a host that can't send headers.
+ * The page itself may fetch, and show fonts and images, from its own server. A worker needs none of that:
+ * the page hands it everything but its scripts. Imports nothing of ours.
  */
+import frameAddress from "./worker-frame.html?url";
 
-/** A worker's scripts come from the site; it fetches, loads and shows nothing else, not even from there. */
-function policy(origin: string): string {
-  return [
-    "default-src 'none'",
-    `script-src ${origin} blob: 'wasm-unsafe-eval'`,
-    `worker-src ${origin} blob:`,
-  ].join("; ");
+/** What the workers of a document are made with. */
+type Maker = Pick<typeof globalThis, "Blob" | "URL" | "Worker">;
+
+/** The frame comes with the first scripts; if it takes longer than this, the page does without [ms]. */
+const PATIENCE_MS = 5000;
+
+let maker: Promise<Maker> | null = null;
+
+/**
+ * The frame's window. It is the page's own if the frame can't be had (some hosts let nothing be framed):
+ * a program is then kept in by the lock-down and by the page's policy, which still lets nothing out of the site.
+ */
+function makerOfWorkers(): Promise<Maker> {
+  maker ??= new Promise((resolve) => {
+    const frame = document.createElement("iframe");
+    frame.hidden = true;
+    frame.src = new URL(frameAddress, import.meta.url).href;
+    const settle = () =>
+      resolve(hasPolicy(frame) ? (frame.contentWindow as Window & Maker) : window);
+    frame.addEventListener("load", settle);
+    setTimeout(settle, PATIENCE_MS);
+    document.body.append(frame);
+  });
+  return maker;
 }
 
-type Scope = Window & Pick<typeof globalThis, "Blob" | "URL" | "Worker">;
-
-let frame: Promise<Scope> | null = null;
-
-/** The frame's window; made at the first call. */
-function scope(): Promise<Scope> {
-  frame ??= new Promise((resolve, reject) => {
-    const element = document.createElement("iframe");
-    element.hidden = true;
-    element.title = "Python's workers";
-    element.srcdoc = `<!doctype html><meta http-equiv="Content-Security-Policy" content="${policy(location.origin)}">`;
-    element.addEventListener("load", () => {
-      if (element.contentWindow) resolve(element.contentWindow as Scope);
-      else reject(new Error("The frame for Python's workers could not be made"));
-    });
-    document.body.append(element);
-  });
-  return frame;
+/** Whether it shows our document, and not a host's or a browser's page about something missing. */
+function hasPolicy({ contentDocument }: HTMLIFrameElement): boolean {
+  return contentDocument?.querySelector("meta[http-equiv=Content-Security-Policy]") != null;
 }
 
 /**
@@ -49,7 +53,7 @@ export async function startWorker(address: string): Promise<Worker> {
       () => { const held = early; early = null; if (held) self.onmessage(held); },
       (error) => setTimeout(() => { throw error; }),
     );`;
-  const { Blob, URL, Worker } = await scope();
+  const { Blob, URL, Worker } = await makerOfWorkers();
   const blobUrl = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
   const worker = new Worker(blobUrl, { type: "module", name: "Python" });
   // The worker has taken its script by the time it says anything, and no later.
