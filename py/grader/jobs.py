@@ -78,6 +78,7 @@ class Desk:
         results: list[Any],
         shift: int = 0,
         source: Source = Source(""),  # noqa: B008 - it is frozen
+        kept: dict[str, Any] | None = None,
     ) -> None:
         self.shift = shift
         self.source = source
@@ -86,7 +87,7 @@ class Desk:
         self._results = {str(each.get("id")): each for each in results if isinstance(each, dict)}
         self._jobs: dict[str, dict[str, Any]] = {}
         self._groups: dict[str, Group] = {}
-        self.kept: dict[str, Any] = {}
+        self.kept: dict[str, Any] = {} if kept is None else kept
         """Room for what is made of a result, so that checks that share a run read it once."""
 
     def world(self, name: str) -> dict[str, Any]:

@@ -46,6 +46,7 @@ def step(
     results: list[Any],
     *,
     shift: int = 0,
+    kept: dict[str, Any] | None = None,
 ) -> dict[str, Any]:
     """Go on with a marking: {"jobs": […]} if more is needed, else {"mark": …}.
 
@@ -56,6 +57,7 @@ def step(
     program       the learner's program
     results       of the jobs done so far, in any order
     shift         added to every seed, for marking the same on other noise
+    kept          a dict to hand in each time that saves reading the same runs anew; it is filled
 
     Never raises: what goes wrong with the check.py is told in the mark, as our fault.
     """
@@ -73,7 +75,7 @@ def step(
         entries = [failed_entry(checks[0].title, trouble, checks[0].hint)]
         entries += [entry(each.title, NOT_RUN) for each in checks[1:]]
         return {"mark": mark_of(slug, task, entries)}
-    desk = _desk(lesson, task, program, results, shift)
+    desk = _desk(lesson, task, program, results, shift, kept)
     try:
         states = [_begin(each, desk) for each in checks]
         jobs = desk.wanted()
@@ -92,7 +94,13 @@ def step(
 
 
 def fails_already(
-    check_source: str, lesson: dict[str, Any], task: str, program: str, results: list[Any]
+    check_source: str,
+    lesson: dict[str, Any],
+    task: str,
+    program: str,
+    results: list[Any],
+    *,
+    kept: dict[str, Any] | None = None,
 ) -> bool:
     """Is there a check that fails whatever else comes, by the runs there are so far?
 
@@ -100,7 +108,7 @@ def fails_already(
     """
     try:
         checks = checks_of(check_source, f"lessons/{lesson.get('slug')}/{task}/check.py")
-        desk = _desk(lesson, task, program, results)
+        desk = _desk(lesson, task, program, results, kept=kept)
         for begun, failure, _ in [_begin(each, desk) for each in checks]:
             if failure is not None:
                 return True
@@ -150,11 +158,16 @@ def first_failure(
 
 
 def _desk(
-    lesson: dict[str, Any], task: str, program: str, results: list[Any], shift: int = 0
+    lesson: dict[str, Any],
+    task: str,
+    program: str,
+    results: list[Any],
+    shift: int = 0,
+    kept: dict[str, Any] | None = None,
 ) -> Desk:
     """The desk of a marking; what the learner has written is held against the starter."""
     starter = (lesson.get("starters") or {}).get(task, "")
-    return Desk(lesson, results, shift, Source(program, starter))
+    return Desk(lesson, results, shift, Source(program, starter), kept)
 
 
 _Begun = tuple[Task, CheckFailed | None, bool]

@@ -2,6 +2,7 @@
 
 from grader import check, function
 from mapping.beam import Weights, passed_by_steps
+from mapping.frontiers import State
 from mapping.mapper import Mapper
 
 KNOWN = 1
@@ -135,13 +136,58 @@ def mapped_well(task, world, seed, known):
     # Limits with room for every sound rule: lessons/README.md, "How maps are judged".
     drawn.walls_found(at_least=45).plain(floor_at_least=94, walls_at_least=85)
     if "occupied" in run.layers(0.05):
-        # After one look few cells can be known: a hit or two half-cell steps are less than KNOWN.
-        run.map(at=0.05, known=KNOWN).unsupported_cells(at_most=50)
+        one_hit_is_not_enough(task, run)
+    return drawn
+
+
+def one_hit_is_not_enough(task, run):
+    """After one scan hardly a cell can be black: a hit is less than KNOWN, whatever the rule."""
+    drawn = run.map(at=0.05)
+    black = [drawn.grid.cell(i) for i, s in enumerate(drawn.states) if s is State.OCCUPIED]
+    ended = run.evidence(drawn.grid, 0.05).ended
+    hits = [drawn.grid.cell(i) for i, count in enumerate(ended) for _ in range(count)]
+    once = [
+        (column, row)
+        for column, row in black
+        if sum(max(abs(column - c), abs(row - r)) <= 1 for c, r in hits) < 2
+    ]
+    task.expect(
+        2 * len(once) <= len(black),
+        expected="no cell black after a single hit: its log odds are 0.85 then, which is not above 1",
+        got=f"{len(once)} of {len(black)} black cells had one hit when they were first drawn",
+        run=run,
+        cells=once,
+        seconds=0.05,
+    )
+
+
+DRAWN = {
+    State.FREE: "below -1, as the cell is drawn free",
+    State.OCCUPIED: "above 1, as the cell is drawn occupied",
+    State.UNKNOWN: "between -1 and 1, as the cell is not drawn",
+}
+
+
+def is_as_drawn(wanted, got):
+    if isinstance(wanted, list):
+        sound = isinstance(got, list | tuple) and len(got) == len(wanted)
+        return sound and all(is_as_drawn(*pair) for pair in zip(wanted, got, strict=True))
+    if isinstance(got, bool) or not isinstance(got, int | float):
+        return False
+    # Sums of floats that are 1 on paper may come out on either side.
+    if wanted == DRAWN[State.FREE]:
+        return got < -KNOWN + 1e-9
+    if wanted == DRAWN[State.OCCUPIED]:
+        return got > KNOWN - 1e-9
+    return abs(got) < KNOWN + 1e-9
 
 
 @check("The room of the page, with other noise", hint=0)
 def same_room(task):
-    mapped_well(task, "corner-room", 31, known=54)
+    drawn = mapped_well(task, "corner-room", 31, known=54)
+    # The same run again: the layers have to show what the program's own numbers say.
+    drawn_as = [DRAWN[state] for state in drawn.states]
+    task.variable("log_odds", gives=drawn_as, compare=is_as_drawn, world="corner-room", seed=31)
 
 
 @check("A den, the robot facing right", hint=1)

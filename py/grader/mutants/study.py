@@ -3,8 +3,9 @@
 May import: the standard library, `grader.lesson`, `grader.marking`, `grader.marks`,
 `grader.mutants`.
 
-A verdict is kept under a hash of all that went into it: the mutant, its check.py, the lesson's
-worlds, the sources of robot, mapper and grader, and the versions of Python and NumPy.
+A verdict is kept as soon as it is known, under a hash of all that went into it: the mutant, its
+starter and check.py, the worlds, the sources of robot, mapper and grader, and the versions of
+Python and NumPy.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from grader.marking import Performer
 from grader.marks import first_failed
 from grader.mutants.equivalent import entries_of, explained
 from grader.mutants.mutants import Mutant, mutants_of, own_lines
-from grader.mutants.trying import BrokenCheckError, Trying, Usual
+from grader.mutants.trying import BrokenCheckError, Trying, Usual, for_task
 
 __all__ = ["Study", "sample", "studies_of", "study_all"]
 
@@ -36,8 +37,10 @@ CACHE = PY.parent / ".cache" / "mutants"
 
 _PACKAGES = ("bugbot", "mapping", "performer", "grader")
 _NOT_MARKING = (
-    *("grader/classes/", "grader/mutants/", "grader/cli.py", "grader/lesson.py"),
-    *("grader/report.py", "grader/schema.py", "grader/standing.py"),
+    *("grader/classes/", "grader/mutants/", "grader/__main__.py", "grader/cli.py"),
+    *("grader/lesson.py", "grader/report.py", "grader/schema.py", "grader/standing.py"),
+    *("bugbot/__main__.py", "bugbot/cli.py", "bugbot/picture.py", "bugbot/plain_text.py"),
+    *("bugbot/shut_in.py", "bugbot/supervisor.py"),
 )
 
 
@@ -106,7 +109,8 @@ def study_all(studies: list[Study], processes: int) -> Iterator[Study]:
     """Try all mutants; each study is handed back when it is done, in order."""
     kept = [_Kept(study) for study in studies]
     pairs = list(zip(studies, kept, strict=True))
-    with ProcessPoolExecutor(processes) as pool:
+    pool = ProcessPoolExecutor(processes)
+    try:
         # All work is handed out first, so that no core waits for the end of a task.
         solutions = {
             study.name: pool.submit(_solution, study.lesson.path, study.task.name)
@@ -127,6 +131,8 @@ def study_all(studies: list[Study], processes: int) -> Iterator[Study]:
                 _gather(study, known, verdicts)
                 _explain(study)
             yield study
+    finally:
+        pool.shutdown(cancel_futures=True)  # after Ctrl-C as well
 
 
 _Verdict = tuple[bool | None, str, float]
@@ -144,18 +150,16 @@ def _begin(
 
 
 def _gather(study: Study, known: _Kept, begun: dict[str, Future[_Verdict]]) -> None:
-    try:
-        for key, future in begun.items():
-            passes, broken, seconds = future.result()
-            study.seconds += seconds
-            if passes is None:
-                change = next(each.change for each in study.mutants if known.key(each) == key)
-                words = f"it can't judge the solution changed so: {change}\n{broken}"
-                study.faults.append(Fault(study.task.check, None, words))
-            else:
-                known.verdicts[key] = passes
-    finally:
-        known.write()  # after Ctrl-C as well
+    for key, future in begun.items():
+        passes, broken, seconds = future.result()
+        study.seconds += seconds
+        if passes is None:
+            change = next(each.change for each in study.mutants if known.key(each) == key)
+            words = f"it can't judge the solution changed so: {change}\n{broken}"
+            study.faults.append(Fault(study.task.check, None, words))
+        else:
+            known.verdicts[key] = passes
+            known.write()  # a study may be ended at any time, and goes on from there
     keys = {each: known.key(each) for each in study.mutants}
     study.tried = {each: known.verdicts[key] for each, key in keys.items() if key in known.verdicts}
 
@@ -216,9 +220,10 @@ class _Kept:
     def __init__(self, study: Study) -> None:
         self._study = study
         self._path = CACHE / study.lesson.slug / f"{study.task.name}.json"
-        check = study.task.check.read_text("utf-8")
-        worlds = json.dumps(study.lesson.for_judge(), sort_keys=True)
-        self._all = f"{_sources()}\0{check}\0{worlds}\0"
+        task = study.task
+        lesson = json.dumps(for_task(study.lesson, task), sort_keys=True)
+        self._all = f"{_sources()}\0{task.check.read_text('utf-8')}\0{lesson}\0"
+        self._keys = {each: self._key_of(each) for each in study.mutants}
         self.verdicts: dict[str, bool] = {}
         try:
             kept = json.loads(self._path.read_text("utf-8"))
@@ -228,6 +233,9 @@ class _Kept:
 
     def key(self, mutant: Mutant) -> str:
         """Made of all that the verdict depends on."""
+        return self._keys[mutant]
+
+    def _key_of(self, mutant: Mutant) -> str:
         return sha256((self._all + mutant.program).encode()).hexdigest()[:24]
 
     def wanting(self) -> list[Mutant]:
@@ -236,21 +244,25 @@ class _Kept:
 
     def write(self) -> None:
         """Keep the verdicts on these mutants; after a sample, those on others as well."""
-        keys = {self.key(each) for each in self._study.mutants}
+        keys = set(self._keys.values())
         verdicts = {
             key: passes
             for key, passes in self.verdicts.items()
             if key in keys or not self._study.every
         }
         self._path.parent.mkdir(parents=True, exist_ok=True)
-        self._path.write_text(json.dumps(verdicts), "utf-8")
+        # Beside it first: one who ends the study meanwhile must not leave half a file.
+        beside = self._path.with_suffix(".new")
+        beside.write_text(json.dumps(verdicts), "utf-8")
+        beside.replace(self._path)
 
 
 @cache
 def _sources() -> str:
     digest = sha256(f"{sys.version} {_numpy()}".encode())
     for package in _PACKAGES:
-        for path in sorted((PY / package).rglob("*.py")):
+        of_package = (PY / package).rglob("*")
+        for path in sorted(each for each in of_package if each.suffix in (".py", ".json")):
             name = path.relative_to(PY).as_posix()
             if not name.startswith(_NOT_MARKING) or name == "grader/mutants/trying.py":
                 digest.update(name.encode() + path.read_bytes())

@@ -19,7 +19,7 @@ from grader.judge import fails_already, step
 from grader.lesson import Lesson, TaskFolder
 from grader.marking import Performer
 
-__all__ = ["BrokenCheckError", "Trying", "Usual"]
+__all__ = ["BrokenCheckError", "Trying", "Usual", "for_task"]
 
 _PATIENCE = 10
 """A job may take so many times the solution's seconds."""
@@ -36,11 +36,17 @@ class BrokenCheckError(Exception):
     """A check.py that can't judge a program; the message is what marking says of it."""
 
 
+def for_task(lesson: Lesson, task: TaskFolder) -> dict[str, Any]:
+    """What a judge of this task knows of its lesson: of the starters, its own alone."""
+    known = lesson.for_judge()
+    return {**known, "starters": {task.name: known["starters"].get(task.name, "")}}
+
+
 class Trying:
     """Marks programs of one task."""
 
     def __init__(self, lesson: Lesson, task: TaskFolder, performer: Performer) -> None:
-        self._lesson = lesson.for_judge()
+        self._lesson = for_task(lesson, task)
         self._task = task.name
         self._check = task.check.read_text("utf-8")
         self._performer = performer
@@ -49,8 +55,9 @@ class Trying:
         """The mark of the solution, and how long its jobs took."""
         results: list[dict[str, Any]] = []
         usual: Usual = {}
+        kept: dict[str, Any] = {}
         for number in count():
-            done = step(self._check, self._lesson, self._task, program, results)
+            done = step(self._check, self._lesson, self._task, program, results, kept=kept)
             if "mark" in done:
                 return done["mark"], usual
             for place, job in enumerate(done["jobs"]):
@@ -65,8 +72,9 @@ class Trying:
         usual  without it, every job has its full time, and they are done as they come
         """
         results: list[dict[str, Any]] = []
+        kept: dict[str, Any] = {}
         for number in count():
-            done = step(self._check, self._lesson, self._task, program, results)
+            done = step(self._check, self._lesson, self._task, program, results, kept=kept)
             if "mark" in done:
                 if done["mark"]["ours"] is not None:
                     raise BrokenCheckError(done["mark"]["ours"])
@@ -75,7 +83,7 @@ class Trying:
             for seconds, job in sorted(jobs, key=lambda each: each[0] or 0.0):
                 results.append(self._performer.perform(_limited(job, seconds), program))
                 if len(jobs) > 1 and fails_already(
-                    self._check, self._lesson, self._task, program, results
+                    self._check, self._lesson, self._task, program, results, kept=kept
                 ):
                     return False
         raise AssertionError("step ends every marking")

@@ -295,6 +295,54 @@ def test_every_mutant_of_a_task_is_killed_and_the_verdicts_are_kept(
     assert next(line for line in again.splitlines() if "whole-steps" in line).split()[5] == "0.0"
 
 
+def test_a_study_that_is_ended_goes_on_from_there(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept = folder.parent / "kept/one-step/whole-steps.json"
+    write = study._Kept.write
+
+    def write_and_end(known: study._Kept) -> None:
+        write(known)
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr(study._Kept, "write", write_and_end)
+        with pytest.raises(KeyboardInterrupt):
+            run(folder, "one-step", "whole-steps")
+    first = json.loads(kept.read_text())
+    assert len(first) == 1
+    assert run(folder, "one-step", "whole-steps") == 0
+    every = json.loads(kept.read_text())
+    assert len(every) == 8
+    assert first.items() <= every.items()
+
+
+def kept_for(folder: Path) -> set[str]:
+    """Under what the verdicts on the mutants of a task are kept."""
+    (its,) = study.studies_of(folder, ["one-step"], "whole-steps")
+    known = study._Kept(its)
+    return {known.key(each) for each in its.mutants}
+
+
+@pytest.mark.parametrize(
+    ("changed", "same"),
+    [
+        ("step-up/starter.py", True),
+        ("step-up/check.py", True),
+        ("whole-steps/check.py", False),
+        ("worlds/*.json", False),
+    ],
+)
+def test_a_verdict_holds_until_something_that_it_depends_on_is_changed(
+    folder: Path, changed: str, same: bool
+) -> None:
+    before = kept_for(folder)
+    path = next((folder / "one-step").glob(changed))
+    text = path.read_text()
+    path.write_text(text.replace("{", '{"camera": false, ', 1) if "json" in changed else text + "#")
+    assert (kept_for(folder) == before) is same
+
+
 def test_a_change_that_no_check_notices_is_open_until_it_is_explained(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
