@@ -153,7 +153,7 @@ def one_hit_is_not_enough(task, run):
     ]
     task.expect(
         2 * len(once) <= len(black),
-        expected="no cell black after a single hit: its log odds are 0.85 then, which is not above 1",
+        expected="no cell black after a single hit: that is 0.85, which is not above 1",
         got=f"{len(once)} of {len(black)} black cells had one hit when they were first drawn",
         run=run,
         cells=once,

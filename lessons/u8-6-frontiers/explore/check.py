@@ -90,6 +90,15 @@ choose_goal = function(
     ],
 )
 
+choose_goal_of_3 = function(
+    "choose_goal(here, frontier, room, tried)",
+    chosen(lambda size: size >= 3),
+    cell_cm=5,
+    mistakes=[
+        ("regions count from MIN_REGION cells on, and here they count from 5 on", chosen(), 0)
+    ],
+)
+
 
 def said(run):
     """The reason that the program printed, or nothing."""
@@ -197,6 +206,15 @@ def no_spot(task):
     round_a_corner = CORRIDOR - {(5, 2)} | {(5, 3)}
     task.call(choose_goal, here, END, round_a_corner, set(), gives=(None, SHUT))
     task.call(choose_goal, here, END, CORRIDOR - {(8, 2)}, set(), gives=(None, SHUT))
+
+
+@check("The same corridor with MIN_REGION = 3", hint=0)
+def smaller_regions(task):
+    corridor(task)
+    task.set("MIN_REGION", 3)
+    three = {(10, row) for row in (1, 2, 3)}
+    task.call(choose_goal_of_3, (2, 2), three, CORRIDOR, set(), gives=((8, 2), None))
+    task.call(choose_goal_of_3, (2, 2), three - {(10, 1)}, CORRIDOR, set(), gives=(None, SMALL))
 
 
 @check("The doorway, with other noise", hint=0)
