@@ -126,7 +126,7 @@ def says_the_same(wanted, got):
         return got == 0
     if abs(wanted) == L_MAX:
         return 7 <= got * wanted / L_MAX <= L_MAX + 1e-9
-    return 0.6 <= got <= 1.2 if wanted > 0 else -2 <= got <= -0.2
+    return 0.6 <= got <= 0.9 if wanted > 0 else -2 <= got <= -0.2
 
 
 def mapped_well(task, world, seed, known):
