@@ -219,7 +219,7 @@ def clock() -> float:
 
 
 def scan() -> list[tuple[float, float]]:
-    """Look with the depth sensor: eight beams, fanned out over 45 degrees.
+    """Look with the depth sensor: eight beams, 39 degrees from the first to the last.
 
     Returns a list of 8 pairs (angle, distance), from left to right. The angle is in degrees from
     straight ahead, positive to the right; the distance is in cm from the robot's centre, 0

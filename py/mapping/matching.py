@@ -11,7 +11,7 @@ search downhill can, and it costs the same every time.
 looks matches them with its own map. Two things keep it from following its own error:
 
 * A few looks of the turning robot are gathered and matched as one. A single scan of eight beams
-  over 45 degrees fits a wall nearly as well a little to the side, and what chance makes of that
+  over 39 degrees fits a wall nearly as well a little to the side, and what chance makes of that
   is drawn into the map, where the next scan finds it.
 * It matches with the map of some seconds ago. A gyro turns the robot's belief by much less than a
   cell from one look to the next, so the looks of just now agree with the drift.
@@ -22,8 +22,9 @@ the whole path when an old place comes back; here an error that was drawn once s
 Where it comes from:
   E. Olson, "Real-time correlative scan matching", ICRA 2009
   W. Hess, D. Kohler, H. Rapp, D. Andor, "Real-time loop closure in 2D LIDAR SLAM", ICRA 2016
-    (Cartographer: the search, and the penalty for leaving the guess); slam_toolbox's front end,
-    K. Konolige's and SRI's Karto, searches in the same way
+    (Cartographer: the search, which it uses to close loops and, if switched on, before least
+    squares, and the penalty for leaving the guess); slam_toolbox's front end, K. Konolige's and
+    SRI's Karto, matches every scan by such a search
 """
 
 from __future__ import annotations
