@@ -407,6 +407,7 @@ VALUES = [
     ("s = {[1, 2]}\n", "A list can't be in a set or be a key: use a tuple"),
     ("t = {{1}: 2}\n", "use frozenset(…)"),
     ("x = scan()\nif x[0] < 20:\n    pass\n", "One side is a tuple, several values at once"),
+    ("for d in scan():\n    if d < 50:\n        stop()\n", "take one of them, like pair[1]"),
     ("x = (3, 5) + 1\n", "With a comma, 3,5 is one as well: 3.5"),
     ("x = [0] * 2.5\n", "A whole number is wanted here"),
     ("x = '3' * '4'\n", "A text or a list can only be repeated"),
