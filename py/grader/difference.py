@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Hashable, Sequence
+from functools import partial
+from itertools import takewhile
 from typing import Any
 
 from bugbot.errors import counted
@@ -36,27 +38,54 @@ def difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
     path: list[int] = []
     if _takes_any_order(compare, expected):
         return _of_any_order(compare, expected, got)
-    while (index := _first_apart(compare, expected, got)) is not None:
+    fits: Fits = partial(_right, compare, expected)
+    while (index := _first_apart(compare, fits, expected, got)) is not None:
         path.insert(0, index)
+        fits = partial(_fits_at, fits, expected, index)
         expected, got = expected[index], got[index]
     right, wrong = _leaf(compare, expected, got)
     if right == wrong:
         right, wrong = f"{right} ({_exact(expected)})", f"{wrong} ({_exact(got)})"
+    if right == wrong and isinstance(expected, str) and isinstance(got, str):
+        right, wrong = _texts_apart(expected, got)
     if path:
         place = " of ".join(f"item {index}" for index in path)
         right = f"{right} as {place} (counted from 0)"
     return right, wrong
 
 
-def _first_apart(compare: Compare, expected: Any, got: Any) -> int | None:
-    """The first part that differs, of two rows that are too long or too alike to be shown."""
+Fits = Callable[[Any], bool]
+"""Whether the answer would be right with this part in it, and all else as expected."""
+
+
+def _first_apart(compare: Compare, fits: Fits, expected: Any, got: Any) -> int | None:
+    """The first part that differs, of two rows that are too long or too alike to be shown.
+
+    A check's own way to compare is for entire answers: it is asked about those, never about a
+    part by itself.
+    """
     both_rows = all(isinstance(each, list | tuple) for each in (expected, got))
     if not both_rows or isinstance(compare, InAnyOrder) or len(expected) != len(got):
         return None
     if len(expected) <= _LONG and shown(expected) != shown(got):
         return None
-    pairs = zip(expected, got, strict=True)
-    return next((index for index, pair in enumerate(pairs) if not compare(*pair)), None)
+    sound, wrong = 0, len(got)  # with so many of its parts the answer is right, and is not
+    while wrong - sound > 1:
+        half = (sound + wrong) // 2
+        if fits([*got[:half], *expected[half:]]):
+            sound = half
+        else:
+            wrong = half
+    if not got or _fits_at(fits, expected, sound, got[sound]):
+        return None  # it is not this part alone
+    moved = [*expected[1:], *expected[:1]]
+    if fits(moved) and not _fits_at(fits, expected, sound, moved[sound]):
+        return None  # a sum, say: no part has a place where it must be
+    return sound
+
+
+def _fits_at(fits: Fits, expected: Any, index: int, part: Any) -> bool:
+    return fits([*expected[:index], part, *expected[index + 1 :]])
 
 
 def _takes_any_order(compare: Compare, expected: Any) -> bool:
@@ -139,6 +168,15 @@ def _named(parts: Sequence[Any], *, verb: bool = True) -> str:
 
 def _times(count: int) -> str:
     return {1: "once", 2: "twice"}.get(count, f"{count} times")
+
+
+def _texts_apart(expected: str, got: str) -> tuple[str, str]:
+    """Two long texts that begin alike, from a little before the place where they part."""
+    alike = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(expected, got)))
+    begin = max(0, alike - 10)
+    both = (shown(each[begin:][:_LONGEST_EXACT]) for each in (expected, got))
+    right, wrong = (f"{text} from character {begin}" for text in both)
+    return right, wrong
 
 
 def _exact(value: Any) -> str:

@@ -13,21 +13,46 @@ def by(
     steps=lambda rate, t: radians(rate * t),
     heading=lambda rate, t: -rate * t,
     places=False,
+    begins=lambda look: look[1:3],
+    since=lambda look: 0,
+    at=lambda before, look: look[0],
 ):
     """The poses without the drift, or a slip of them."""
 
     def corrected(looks, rate):
-        x, y = looks[0][1:3]
-        before, poses = looks[0], []
+        x, y = begins(looks[0])
+        zero = since(looks[0])
+        before, poses = (looks[0][0], *begins(looks[0])), []
         for look in looks:
-            angle = steps(rate, look[0])
+            angle = steps(rate, at(before, look) - zero)
             dx, dy = turned(angle, look[1] - before[1], look[2] - before[2])
             x, y = turned(angle, look[1], look[2]) if places else (x + dx, y + dy)
-            poses.append((x, y, look[3] + heading(rate, look[0])))
+            poses.append((x, y, look[3] + heading(rate, look[0] - zero)))
             before = look
         return poses
 
     return corrected
+
+
+def about_the_start(looks, rate):
+    (_, x, y), poses = looks[0][:3], []
+    for look in looks:
+        angle = radians(rate * look[0])
+        dx, dy = look[1] - x, look[2] - y
+        turned = dx * cos(angle) - dy * sin(angle), dy * cos(angle) + dx * sin(angle)
+        poses.append((x + turned[0], y + turned[1], look[3] - rate * look[0]))
+    return poses
+
+
+def from_its_own_place(looks, rate):
+    before, (x, y), poses = looks[0][1:3], looks[0][1:3], []
+    for look in looks:
+        angle = radians(rate * look[0])
+        dx, dy = look[1] - before[0], look[2] - before[1]
+        x, y = x + dx * cos(angle) - dy * sin(angle), y + dy * cos(angle) + dx * sin(angle)
+        poses.append((x, y, look[3] - rate * look[0]))
+        before = x, y
+    return poses
 
 
 def x_first(angle, dx, dy):
@@ -91,6 +116,34 @@ corrected = function(
             by(steps=lambda rate, t: radians(rate), heading=lambda rate, t: -rate),
             0,
         ),
+        (
+            "all of the route is turned by one angle: turn each step by the drift at its own time",
+            about_the_start,
+            1,
+        ),
+        (
+            "the route begins at (0, 0): the first place stays as it is, wherever the first look is",
+            by(begins=lambda look: (0, 0)),
+            1,
+        ),
+        (
+            "the drift is counted from the first look: at the time t it is rate * t, "
+            "whenever the first look is",
+            by(since=lambda look: look[0]),
+            0,
+        ),
+        (
+            "each step is turned by the drift at its beginning: take the time of the look "
+            "in which it ends",
+            by(at=lambda before, look: before[0]),
+            2,
+        ),
+        (
+            "a step is the difference of two looks as they are: your own corrected place is not "
+            "where it began",
+            from_its_own_place,
+            1,
+        ),
         ("x is changed before y is worked out: y needs the old dx", by(turned=x_first), 2),
     ],
 )
@@ -108,6 +161,14 @@ def two_steps(task):
     looks = [(0.0, 0.0, 0.0, 0.0), (0.0, 0.0, 20.0, 0.0), (100.0, 5.0, 28.66, 30.0)]
     task.call(corrected, looks, 0.3)
     task.call(corrected, looks, -0.3)
+
+
+@check("A first look away from the start, and not at the time 0", hint=0)
+def later(task):
+    # After 50 s the belief has drifted by 10 degrees, after 100 s by 20.
+    looks = [(50.0, 40.0, -20.0, 100.0), (100.0, 40.0, -20.0, 110.0), (100.0, 60.0, -5.0, 110.0)]
+    task.call(corrected, looks[:2], 0.2, gives=[(40, -20, 90), (40, -20, 90)])
+    task.call(corrected, looks, 0.2)
 
 
 @check("A way round corners, and one that begins elsewhere", hint=2)

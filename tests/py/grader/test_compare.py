@@ -181,3 +181,35 @@ def test_what_differs_only_as_a_whole_is_shown_as_a_whole() -> None:
         "[0, 1, 2, 3, 4, 5, 6, 7, … 1 more]",
         "[1, 2, 3, 4, 5, 6, 7, 8, … 1 more]",
     )
+
+
+def headings_in_any_turn(expected: Any, got: Any) -> bool:
+    """A check's own comparison, which can be asked about entire answers only."""
+    return len(expected) == len(got) and all(
+        abs(a[0] - b[0]) < 0.05 and (a[1] - b[1] + 0.01) % 360 < 0.02
+        for a, b in zip(expected, got, strict=True)
+    )
+
+
+def test_of_long_answers_the_first_part_beyond_the_tolerance_is_named() -> None:
+    right = [(3.0 + n, 10.0 * n) for n in range(12)]
+    close = [(x + 0.01, heading - 360) for x, heading in right]
+    close[7] = (close[7][0], 75.0)
+    assert difference(headings_in_any_turn, right, close) == (
+        "(10.0, 70.0) as item 7 (counted from 0)",
+        "(10.01, 75.0)",
+    )
+
+
+def test_two_wrong_parts_of_which_the_second_is_the_worse_are_told_by_the_first() -> None:
+    right = list(range(100))
+    got = [*right[:40], 41, *right[41:98], -500, 99]
+    assert difference(exactly, right, got) == ("40 as item 40 (counted from 0)", "41")
+
+
+def test_long_texts_are_shown_where_they_part() -> None:
+    right, wrong = "a" * 90 + "b", "a" * 90 + "c"
+    assert difference(exactly, right, wrong) == (
+        "'aaaaaaaaaab' from character 80",
+        "'aaaaaaaaaac' from character 80",
+    )
