@@ -9,6 +9,7 @@ them:
     function       declares a function the learner writes, what is right, and the likely slips
     exactly        how answers are compared: as they are
     near           … numbers within so much
+    between        … a number from one to another, wherever it stands in what is expected
     in_any_order   … lists whose order does not matter
     scoring        what a run of task.trials is worth
     mistake        a likely mistake, with what must stand in the program for it to be told:
@@ -51,7 +52,7 @@ How marking works. A learner's program is never run in the interpreter that judg
     cli.py        python -m grader mark …, python -m grader check …
 """
 
-from grader.compare import exactly, in_any_order, near
+from grader.compare import between, exactly, in_any_order, near
 from grader.conditions import (
     calls,
     code,
@@ -66,6 +67,7 @@ from grader.conditions import (
 from grader.declare import check, function, mistake, scoring
 
 __all__ = [
+    "between",
     "calls",
     "check",
     "code",

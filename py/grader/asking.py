@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from grader.compare import Compare
-from grader.declare import Function
+from grader.declare import Function, Mistake
 from grader.failures import AuthorError
 from performer.values import decoded, encoded, shown
 
@@ -97,6 +97,9 @@ class Look:
     name: str
     gives: Any
     compare: Compare
+    mistakes: tuple[Mistake, ...] = ()
+    """Their slips take nothing and give the value that the variable would have."""
+    grid_cm: float | None = None
 
     def request(self) -> dict[str, Any]:
         """As the performer is asked for it."""

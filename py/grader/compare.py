@@ -17,7 +17,16 @@ from typing import Any
 from grader.failures import AuthorError
 from performer.values import Other
 
-__all__ = ["Compare", "InAnyOrder", "exactly", "in_any_order", "near", "unordered"]
+__all__ = [
+    "Between",
+    "Compare",
+    "InAnyOrder",
+    "between",
+    "exactly",
+    "in_any_order",
+    "near",
+    "unordered",
+]
 
 Compare = Callable[[Any, Any], bool]
 """compare(expected, got): whether the answer is right."""
@@ -85,7 +94,37 @@ in_any_order = InAnyOrder()
 """The same parts as often as there, in any order; `in_any_order.deep(2)`: inside them as well."""
 
 
+@dataclass(frozen=True, slots=True, repr=False)
+class Between:
+    """Stands in an expectation for any number from `low` to `high`."""
+
+    low: float
+    high: float
+    said: str
+
+    def __repr__(self) -> str:
+        """As the learner reads it."""
+        return self.said
+
+    def holds(self, got: object) -> bool:
+        """Whether the answer is such a number."""
+        return isinstance(got, int | float) and _is_number(got) and self.low <= got <= self.high
+
+
+def between(low: float, high: float, said: str = "") -> Between:
+    """Any number from `low` to `high`, wherever it stands in what a check expects.
+
+    said  what the learner reads in its place: "0 or less"
+
+    >>> exactly([between(-1, 0), 2], [-0.4, 2])
+    True
+    """
+    return Between(low, high, said or f"a number from {low:g} to {high:g}")
+
+
 def _same(expected: Any, got: Any, alike: _Numbers) -> bool:
+    if isinstance(expected, Between):
+        return expected.holds(got)
     if _is_number(expected) and _is_number(got):
         return alike(expected, got)
     if isinstance(expected, list | tuple) and isinstance(got, list | tuple):

@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Hashable, Sequence
 from functools import partial
-from itertools import takewhile
 from typing import Any
 
 from bugbot.errors import counted
@@ -172,7 +171,8 @@ def _times(count: int) -> str:
 
 def _texts_apart(expected: str, got: str) -> tuple[str, str]:
     """Two long texts that begin alike, from a little before the place where they part."""
-    alike = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(expected, got)))
+    apart = (n for n, (a, b) in enumerate(zip(expected, got, strict=False)) if a != b)
+    alike = next(apart, min(len(expected), len(got)))
     begin = max(0, alike - 10)
     both = (shown(each[begin:][:_LONGEST_EXACT]) for each in (expected, got))
     right, wrong = (f"{text} from character {begin}" for text in both)

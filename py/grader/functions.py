@@ -6,17 +6,19 @@ May import: the standard library, the rest of `grader`.
 from __future__ import annotations
 
 import sys
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 from bugbot.run.slips.newer import PAGE
 from grader.asking import NOT_SAID, Answered, Call, Look, Step
-from grader.declare import Function
+from grader.compare import near
+from grader.declare import Function, Mistake
 from grader.difference import difference
 from grader.failures import CheckFailed, ProgramFailed
 from grader.places import cells_in, grid_difference, where_cells
 from grader.slips import Wrong, explaining, usual_slip
-from grader.text import Source
+from grader.text import Source, Text
 from performer.values import MalformedError, decoded, shown
 
 __all__ = ["fault_text", "judge_steps"]
@@ -44,11 +46,13 @@ def judge_steps(
     others  all the calls of the file that were answered: a slip that explains them all is it
     """
     known = list(others)
+    made: list[Call] = []
     for step, answer in zip(steps, answers, strict=False):
         if isinstance(step, Call):
             _judge_call(step, answer, known, world, source)
+            made.append(step)
         elif isinstance(step, Look):
-            _judge_look(step, answer)
+            _judge_look(step, answer, made, world, source)
 
 
 def _judge_call(
@@ -82,14 +86,14 @@ def _judge_call(
         f"{call} returned None" if value is None and call.function.changes is None else got,
         likely=mistake.text if mistake else usual_slip(wrong),
         hint=mistake.hint if mistake else None,
-        where=where_cells(call.function, cells, world),
+        where=where_cells(call.function.cell_cm or call.function.grid_cm, cells, world),
     )
 
 
 def _apart(function: Function, right: Any, value: Any) -> tuple[str, str, list[tuple[int, int]]]:
     """Where an answer parts from what is right: in words, and the cells concerned."""
     if function.grid_cm is not None:
-        on_grid = grid_difference(function, right, value)
+        on_grid = grid_difference(function.compare, function.grid_cm, right, value)
         if on_grid is not None:
             return on_grid
     cells = cells_in(right) ^ cells_in(value) if function.cell_cm is not None else set()
@@ -150,7 +154,13 @@ def _value(answer: dict[str, Any]) -> Any:
 # -- variables -----------------------------------------------------------------
 
 
-def _judge_look(look: Look, answer: dict[str, Any]) -> None:
+def _judge_look(
+    look: Look,
+    answer: dict[str, Any],
+    made: Sequence[Call],
+    world: dict[str, Any],
+    source: Source,
+) -> None:
     if "missing" in answer:
         raise CheckFailed(
             f"a variable {look.name} in the program",
@@ -160,7 +170,52 @@ def _judge_look(look: Look, answer: dict[str, Any]) -> None:
     if look.gives is NOT_SAID:
         return
     value = _value(answer)
-    if not look.compare(look.gives, value):
+    if look.compare(look.gives, value):
+        return
+    cells: list[tuple[int, int]] = []
+    on_grid = None
+    if look.grid_cm is not None:
+        on_grid = grid_difference(look.compare, look.grid_cm, look.gives, value)
+    if on_grid is not None:
+        expected, got, cells = on_grid
+    else:
         expected, got = difference(look.compare, look.gives, value)
-        verb = "is" if expected.startswith(shown(look.gives)) else "has"
-        raise CheckFailed(f"{look.name} {verb} {expected}", got)
+    verb = "is" if expected.startswith(shown(look.gives)) else "has"
+    text = source.of(made[-1].function.name if made else None)
+    mistake = _leaving(look.mistakes, value, text)
+    raise CheckFailed(
+        f"{_after(made)}{look.name} {verb} {expected}",
+        got,
+        likely=mistake.text if mistake else None,
+        hint=mistake.hint if mistake else None,
+        where=where_cells(look.grid_cm, cells, world),
+    )
+
+
+def _leaving(mistakes: Sequence[Mistake], value: Any, text: Text) -> Mistake | None:
+    """The mistake that would leave exactly this value in the variable."""
+    fitting = (each for each in mistakes if each.can_be(text))
+    return next((each for each in fitting if _EXACT_BUT_FOR_SUMS(each.slip(), value)), None)
+
+
+_EXACT_BUT_FOR_SUMS = near(1e-6)
+
+
+_MOST_CALLS = 3
+
+
+def _times(count: int) -> str:
+    return "twice" if count == 2 else f"{count} times"
+
+
+def _after(made: Sequence[Call]) -> str:
+    """The calls that a variable's value comes from, for whoever wants to repeat them."""
+    counts = Counter(map(str, made))
+    if not counts:
+        return ""
+    if len(counts) > _MOST_CALLS:
+        return f"after {len(made)} calls, the last of them {made[-1]}, "
+    told = [f"{call} ({_times(times)})" if times > 1 else call for call, times in counts.items()]
+    if len(told) > 1:
+        told = [", ".join(told[:-1]), told[-1]]
+    return f"after {' and '.join(told)}, "

@@ -1,6 +1,6 @@
 """Where on the mat a learner's answer is wrong: cells to outline.
 
-May import: the standard library, `bugbot.frames`, `grader.declare`, `performer.values`.
+May import: the standard library, `bugbot.frames`, `grader.compare`, `performer.values`.
 """
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from bugbot.frames import cell_centre, cells_across
-from grader.declare import Function
+from grader.compare import Compare
 from performer.values import shown
 
 __all__ = ["cells_in", "grid_difference", "where_cells"]
@@ -20,10 +20,9 @@ _MOST_CELLS = 400
 
 
 def where_cells(
-    function: Function, cells: list[Cell], world: dict[str, Any]
+    cell_cm: float | None, cells: list[Cell], world: dict[str, Any]
 ) -> dict[str, Any] | None:
     """The `where` of a mark for answers that are cells or grids; None for all others."""
-    cell_cm = function.cell_cm or function.grid_cm
     if cell_cm is None:
         return None
     return {
@@ -50,28 +49,25 @@ def cells_in(answer: Any) -> set[Cell]:
 
 
 def grid_difference(
-    function: Function, right: Any, value: Any
+    compare: Compare, grid_cm: float, right: Any, value: Any
 ) -> tuple[str, str, list[Cell]] | None:
     """The first cell in which two grids differ, in words, and all such cells; None if no grids."""
-    assert function.grid_cm is not None
-    across = cells_across(function.grid_cm)
+    across = cells_across(grid_cm)
     expected, got = _flat(right, across), _flat(value, across)
     if expected is None or got is None:
         return None
     differing = [
-        index
-        for index, pair in enumerate(zip(expected, got, strict=True))
-        if not function.compare(*pair)
+        index for index, pair in enumerate(zip(expected, got, strict=True)) if not compare(*pair)
     ]
     if not differing:
         return None
     cells = [(index % across, index // across) for index in differing]
-    x, y = cell_centre(*cells[0], function.grid_cm)
+    x, y = cell_centre(*cells[0], grid_cm)
     more = len(cells) - 1
     others = f"; {more} more cell{'s differ' if more > 1 else ' differs'}" if more else ""
     return (
         f"{shown(expected[differing[0]])} in the cell in column {cells[0][0]}, "
-        f"row {cells[0][1]}, round ({x:g}, {y:g})",
+        f"row {cells[0][1]}, around ({x:g}, {y:g})",
         f"{shown(got[differing[0]])}{others}",
         cells,
     )

@@ -96,9 +96,18 @@ class Task:
         compare: Compare = exactly,
         world: str = _NO_WORLD,
         seed: int = 1,
+        mistakes: Sequence[Mistake | tuple[Any, ...]] = (),
+        grid_cm: float | None = None,
     ) -> None:
-        """Look at a variable of the learner's program after the calls before this."""
-        self._add(Look(name, gives, compare), world, seed)
+        """Look at a variable of the learner's program after the calls before this.
+
+        gives     its value; a number in it may be a `between(…)`
+        mistakes  likely slips: (what the learner is told, a function of nothing that gives the
+                  value which the slip would leave[, number of the hint that helps])
+        grid_cm   it is a grid of cells of this side [cm]: wrong ones are named by column and row
+        """
+        listed = mistakes_of(mistakes, f"task.variable({name!r}, …)")
+        self._add(Look(name, gives, compare, listed, grid_cm), world, seed)
 
     def _add(self, step: Step, world: str, seed: int) -> None:
         data = self._desk.world(world)

@@ -122,7 +122,7 @@ corrected = function(
             1,
         ),
         (
-            "the route begins at (0, 0): the first place stays as it is, wherever the first look is",
+            "the route begins at (0, 0): its first place is that of the first look",
             by(begins=lambda look: (0, 0)),
             1,
         ),

@@ -333,7 +333,7 @@ def test_a_changed_argument_is_judged_and_its_cells_outlined() -> None:
     first = failed(marked(LIST, right.replace("+=", "=")))
     assert first["expected"] == (
         "after add([0.0, 1.0, 0.0, 0.0], 1, 0.85), cells has "
-        "1.85 in the cell in column 1, row 0, round (150, 50)"
+        "1.85 in the cell in column 1, row 0, around (150, 50)"
     )
     assert first["got"] == "0.85"
     assert first["likely"] == "put, not added"
@@ -377,7 +377,10 @@ def test_each_check_begins_anew_and_its_calls_happen_in_order() -> None:
     assert marked(STATE, COUNTER % 1)["passed"]
     mark = marked(STATE, COUNTER % 2)
     assert statuses(mark) == ["failed", "failed"]
-    assert (failed(mark)["expected"], failed(mark)["got"]) == ("count is 2", "4")
+    assert (failed(mark)["expected"], failed(mark)["got"]) == (
+        "after tick() (twice), count is 2",
+        "4",
+    )
 
 
 def test_of_a_long_list_in_a_variable_the_item_that_differs_is_named() -> None:
@@ -394,8 +397,50 @@ def a_long_list(task):
     program = "cells = [0] * 100\ndef add(cell):\n    cells[cell] += %d\n"
     assert marked(check, program % 1)["passed"]
     told = failed(marked(check, program % 2))
-    assert told["expected"] == "cells has 1 as item 3 (counted from 0)"
+    assert told["expected"] == "after add(3), cells has 1 as item 3 (counted from 0)"
     assert told["got"] == "2"
+
+
+def test_what_is_wrong_with_a_grid_in_a_variable_is_told_by_cell_calls_and_cause() -> None:
+    check = """
+from grader import between, check, function
+
+add = function("add(cell)", lambda cell: None)
+some = between(-2, -0.2, "evidence of floor")
+LEFT = [("it counts down", lambda: [0, 0, 0, -10], 1)]
+
+@check("A grid")
+def a_grid(task):
+    for cell in (3, 3):
+        task.call(add, cell)
+    task.variable("cells", gives=[0, 0, 0, some], mistakes=LEFT, grid_cm=100)
+"""
+    program = "cells = [0] * 4\ndef add(cell):\n    cells[cell] -= %s\n"
+    assert marked(check, program % 0.5)["passed"]
+    told = failed(marked(check, program % 5))
+    assert told["expected"] == (
+        "after add(3) (twice), cells has evidence of floor in the cell in column 1, row 1, "
+        "around (150, 150)"
+    )
+    assert (told["got"], told["likely"], told["hint"]) == ("-10", "it counts down", 1)
+    assert told["where"]["cells"] == [[1, 1]]
+    assert failed(marked(check, program % 4))["likely"] is None
+
+
+def test_of_many_calls_before_a_variable_only_the_last_is_named() -> None:
+    check = """
+from grader import check, function
+
+add = function("add(cell)", lambda cell: None)
+
+@check("Five")
+def five(task):
+    for cell in range(5):
+        task.call(add, cell)
+    task.variable("count", gives=5)
+"""
+    told = failed(marked(check, "count = 0\ndef add(cell):\n    pass\n"))
+    assert told["expected"] == "after 5 calls, the last of them add(4), count is 5"
 
 
 def test_a_variable_that_is_not_there_is_asked_for() -> None:

@@ -1,4 +1,4 @@
-# earns: -16
+# earns: there is no clamp
 # A map from one spot
 #
 # The robot turns on the spot in a corner of the mat.
