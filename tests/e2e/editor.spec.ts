@@ -83,3 +83,18 @@ test("the program's text can be made larger, and stays so", { tag: "@once" }, as
   await expect(app.program).toBeVisible();
   expect(await size()).toBe(after);
 });
+
+test("what is selected is marked wherever it stands, and can be searched for", {
+  tag: "@once",
+}, async ({ app, page }) => {
+  await app.openLab("world=empty");
+  await app.write("side = 5\nprint(side)\n");
+  await page.keyboard.press("ControlOrMeta+f");
+  const find = page.getByRole("textbox", { name: "Find" });
+  await find.pressSequentially("side");
+  await expect(page.locator(".cm-searchMatch")).toHaveCount(2);
+  await find.press("Escape");
+  await page.keyboard.press("ControlOrMeta+Home");
+  await page.keyboard.press("ControlOrMeta+Shift+ArrowRight");
+  await expect(page.locator(".cm-selectionMatch")).toHaveCount(1);
+});

@@ -64,5 +64,5 @@ interface Lab {
   seed: number;
   program: string;
   run(): Promise<unknown>;
-  traceText(): string | null;
+  traceText(): Promise<string | null>;
 }

@@ -26,6 +26,22 @@ interface Platform extends Window {
   API: { cmi: object };
 }
 
+/** Its calls fail one way or the other: it knows no learner, and can't keep anything. */
+const OUT_OF_ORDER = `<!doctype html>
+<html lang="en"><title>A platform</title><link rel="icon" href="data:,">
+<script>
+  window.told = [];
+  const note = (...values) => { told.push(values.join(" ")); return "true"; };
+  window.API = {
+    LMSInitialize: () => { throw new Error("the session has expired"); },
+    LMSGetValue: () => { throw new Error("the session has expired"); },
+    LMSSetValue: note,
+    LMSFinish: () => note("finished"),
+  };
+</script>
+<iframe title="Lesson" src="content/lessons/${SLUG}/index.html" style="width: 100%; height: 720px">
+</iframe></html>`;
+
 /** It keeps what the lesson says, and gives it back at the next visit. */
 const PLATFORM = `<!doctype html>
 <html lang="en"><title>A platform</title><link rel="icon" href="data:,">
@@ -147,3 +163,36 @@ function unpackAndCheck(archive: Buffer, folder: string): void {
   expect(listed).toContain(launch);
   expect(dirname(launch)).toBe(`lessons/${SLUG}`);
 }
+
+test("where a platform's calls throw or are missing the lesson works, is finished, and keeps nothing for the next learner @once", async ({
+  page,
+}) => {
+  test.slow();
+  const folder = mkdtempSync(join(tmpdir(), "platform-"));
+  const site = new OwnSite(folder);
+  try {
+    unpackAndCheck(zip(await scormFiles(SLUG, DIST)), folder);
+    writeFileSync(join(folder, "index.html"), OUT_OF_ORDER);
+    await site.serve();
+    const errors: string[] = [];
+    page.on("pageerror", (error) => errors.push(error.message));
+    const told = () => page.evaluate("told") as Promise<string[]>;
+
+    await page.goto(site.url);
+    const lesson = page.frameLocator("iframe");
+    await expect.poll(told).toContain("cmi.core.lesson_status incomplete");
+    const task = lesson.getByRole("article", { name: tasks[0]?.title ?? "", exact: true });
+    await task.scrollIntoViewIfNeeded();
+    await task.getByRole("button", { name: "Show hint 1" }).click();
+    await expect(task.getByRole("button", { name: "Show hint 2" })).toBeVisible();
+    // It is told each time, though nobody says that it is kept.
+    await page.evaluate("told.length = 0; document.querySelector('iframe').remove()");
+    expect((await told()).at(-1)).toBe("finished");
+    expect(await told()).toContain("cmi.core.exit suspend");
+    expect(await page.evaluate(() => Object.keys(localStorage))).toEqual([]);
+    expect(errors).toEqual([]);
+  } finally {
+    await site.cut();
+    rmSync(folder, { recursive: true });
+  }
+});

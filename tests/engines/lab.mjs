@@ -88,7 +88,7 @@ export class Lab {
   /** The run on show, as the text of a trace file. */
   async trace() {
     const text = await this.tab.evaluateOn(this.its("textbox", "Program"), (element) => {
-      /** @type {(HTMLElement & { traceText(): string | null }) | null} */
+      /** @type {(HTMLElement & { traceText(): Promise<string | null> }) | null} */
       const lab = element.closest("bugbot-lab");
       return lab?.traceText() ?? null;
     });

@@ -6,7 +6,6 @@ import { defaultKeymap, history, historyKeymap, isolateHistory } from "@codemirr
 import { python } from "@codemirror/lang-python";
 import { bracketMatching, ensureSyntaxTree, indentOnInput, indentUnit } from "@codemirror/language";
 import { lintKeymap } from "@codemirror/lint";
-import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { EditorState, type Extension, Prec } from "@codemirror/state";
 import {
   drawSelection,
@@ -19,6 +18,7 @@ import {
 import { editorWords } from "../ui/strings.ts";
 import { argumentHelp } from "./argument-help.ts";
 import type { Call } from "./calls.ts";
+import { finding } from "./finding.ts";
 import { gesture, type OnNumber } from "./gesture.ts";
 import { leaveWithEscape } from "./leaving.ts";
 import { lineMarks, lineStart, setFaultLine, setPlayingLine } from "./line-marks.ts";
@@ -163,8 +163,7 @@ function extensions(options: EditorOptions): Extension {
     EditorState.tabSize.of(4),
     indentOnInput(),
     bracketMatching(),
-    highlightSelectionMatches(),
-    search({ top: true }),
+    finding(),
     python(),
     argumentHelp(options.calls),
     typing,
@@ -175,7 +174,7 @@ function extensions(options: EditorOptions): Extension {
     sliders,
     movingNumbers,
     theme,
-    keymap.of([...defaultKeymap, ...searchKeymap, ...historyKeymap, ...lintKeymap]),
+    keymap.of([...defaultKeymap, ...historyKeymap, ...lintKeymap]),
     leaveWithEscape,
     EditorView.contentAttributes.of({
       "aria-label": editorWords.name,

@@ -41,6 +41,8 @@ export interface LabFace {
   runs: readonly Trace[];
   report: string;
   menu: readonly MenuGroup[];
+  /** Has the menu's items at hand. */
+  onMenu(): Promise<void>;
   onReset(): void;
   onStop(): void;
   onRun(): void;
@@ -76,10 +78,12 @@ export function labFace(face: LabFace): TemplateResult {
   </section>`;
 }
 
-function actions({ menu, status: { phase }, onReset, onStop, onRun }: LabFace): TemplateResult {
+function actions(face: LabFace): TemplateResult {
+  const { menu, status, onMenu, onReset, onStop, onRun } = face;
+  const { phase } = status;
   const busy = phase === "running" || phase === "waiting";
   return html`<div class="lab-actions">
-    <lab-menu .groups=${menu}></lab-menu>
+    <lab-menu .groups=${menu} .prepare=${onMenu}></lab-menu>
     <button type="button" aria-label=${labWords.reset} @click=${onReset}>
       <span class="in-full">${labWords.reset}</span>
       <span class="in-short">${labWords.resetShort}</span>

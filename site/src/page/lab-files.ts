@@ -1,52 +1,35 @@
 /**
- * What a lab can do with files, links and earlier versions: the items behind its More button, files
- * dropped on the lab, and programs that are offered. Whatever replaces the program is one
- * step that undo takes back. May import every room of the site but `worker`.
+ * What becomes of a lab's program besides being run: it is reset, found again, changed in another tab.
+ * Files, links and earlier versions, the items behind the More button, are in `lab-items`, which is
+ * fetched when they are wanted. Whatever replaces the program is one step that undo takes back.
+ * May import `ui`.
  */
-import {
-  fileWords,
-  menuWords,
-  printWords,
-  shareWords,
-  starterWords,
-  tabWords,
-  versionWords,
-} from "../ui/file-words.ts";
+import { printWords, starterWords, tabWords } from "../ui/kept-words.ts";
 import { part } from "../ui/part.ts";
 import { labWords, statusWords } from "../ui/strings.ts";
+import { type LabDesk, placeOfRun, titleOf } from "./lab-desk.ts";
+import type { LabItems } from "./lab-items.ts";
 import type { MenuGroup } from "./lab-menu.ts";
-import { areMap, mapItems, openMap } from "./map-files.ts";
-import { isOwnMat } from "./mats/own-name.ts";
 import type { Sheet } from "./print.ts";
-import { type LabDesk, placeOfRun, runItems, showRun, titleOf } from "./run-files.ts";
-import { linkTo } from "./share.ts";
-import { chooseFile, FileError, readFile, readRun, saveFile } from "./text-file.ts";
 
 export class LabFiles {
   readonly #desk: LabDesk;
+  #items: LabItems | null = null;
 
   constructor(desk: LabDesk) {
     this.#desk = desk;
   }
 
-  /** What the More button opens. */
+  /** What the More button opens; nothing before `open`. */
   get menu(): MenuGroup[] {
-    return [
-      {
-        title: menuWords.program,
-        items: [
-          { label: menuWords.versions, act: () => this.#versions() },
-          { label: menuWords.open, act: () => this.#open(".py,.txt,text/x-python,text/plain") },
-          { label: menuWords.save, act: () => this.#save() },
-          { label: menuWords.share, act: () => this.#share() },
-        ],
-      },
-      mapItems(this.#desk, (act) => this.#told(act)),
-      {
-        title: menuWords.run,
-        items: runItems(this.#desk, () => this.#openRun()),
-      },
-    ];
+    return this.#items?.menu ?? [];
+  }
+
+  /** Has the items at hand. */
+  async open(): Promise<LabItems> {
+    const { LabItems } = await part(() => import("./lab-items.ts"));
+    this.#items ??= new LabItems(this.#desk, (text, said) => this.#replace(text, said));
+    return this.#items;
   }
 
   /** Files dropped on an element open as from the menu. */
@@ -64,11 +47,10 @@ export class LabFiles {
       "drop",
       (event) => {
         const files = [...(event.dataTransfer?.files ?? [])];
-        const [first] = files;
-        if (!first) return;
+        if (files.length === 0) return;
         event.preventDefault();
         event.stopPropagation();
-        void this.#told(() => (areMap(files) ? openMap(this.#desk, files) : this.#openFile(first)));
+        void this.open().then((items) => items.openDropped(files));
       },
       { capture: true },
     );
@@ -84,7 +66,10 @@ export class LabFiles {
   /** Says whose program has been opened. */
   tellOpened(whose: "starter" | "own" | "outgrown" | undefined): void {
     const { say } = this.#desk;
-    const see = { label: starterWords.see, act: () => void this.#offerStarter() };
+    const see = {
+      label: starterWords.see,
+      act: () => void this.open().then((items) => items.offerStarter()),
+    };
     if (whose === "outgrown") say({ text: starterWords.changed, action: see });
     else say(whose === "own" ? { text: statusWords.restored } : null);
   }
@@ -110,25 +95,7 @@ export class LabFiles {
 
   /** Shows a program that came in a link, and opens it if the reader says so. */
   async offerShared(program: string): Promise<void> {
-    const { lab, say } = this.#desk;
-    const mine = this.#desk.program.text;
-    if (program === mine) return say({ text: shareWords.same });
-    const { offered: title, offer, take, keep, taken } = shareWords;
-    const lead = offer(program, titleOf(this.#desk, lab.world), lab.seed);
-    const { offerProgram } = await dialogs();
-    if (await offerProgram({ title, lead, program, mine: null, take, keep })) {
-      this.#replace(program, taken);
-    }
-  }
-
-  /** Shows the starter of a newer page beside the program begun from an older one. */
-  async #offerStarter(): Promise<void> {
-    const { program: kept } = this.#desk;
-    const { title, lead, take, keep, taken } = starterWords;
-    const offer = { title, lead, program: kept.starter, mine: kept.text, take, keep };
-    const answer = await (await dialogs()).offerProgram(offer);
-    if (answer === true) this.#replace(kept.starter, taken);
-    else if (answer === false) kept.beginsHere();
+    await (await this.open()).offerShared(program);
   }
 
   #replace(text: string, said: string): void {
@@ -137,71 +104,4 @@ export class LabFiles {
     program.replace(text);
     say({ text: said, action: { label: labWords.undo, act: () => program.replace(before) } });
   }
-
-  /** Does something with a file; what is wrong with the file is told. */
-  async #told(act: () => Promise<void>): Promise<void> {
-    try {
-      await act();
-    } catch (error) {
-      if (!(error instanceof FileError)) throw error;
-      this.#desk.say({ text: error.message });
-    }
-  }
-
-  async #versions(): Promise<void> {
-    const { program } = this.#desk;
-    const { chooseVersion } = await dialogs();
-    const text = await chooseVersion(program.versions(), program.text, program.starter);
-    if (text !== null) this.#replace(text, versionWords.restored);
-  }
-
-  #open(accept: string): Promise<void> {
-    return this.#told(async () => {
-      const file = await chooseFile(accept);
-      if (file) await this.#openFile(file);
-    });
-  }
-
-  async #openFile(file: File): Promise<void> {
-    const opened = await readFile(file);
-    if ("run" in opened) return showRun(this.#desk, opened.run);
-    if (opened.program === this.#desk.program.text) {
-      this.#desk.say({ text: fileWords.same(file.name) });
-    } else {
-      this.#replace(opened.program, fileWords.opened(file.name));
-    }
-  }
-
-  #save(): void {
-    saveFile("program.py", this.#desk.program.text, "text/x-python");
-  }
-
-  #openRun(): Promise<void> {
-    return this.#told(async () => {
-      // Any file may be chosen: phones do not know what a .trace is.
-      const file = await chooseFile("");
-      if (file) await showRun(this.#desk, await readRun(file));
-    });
-  }
-
-  async #share(): Promise<void> {
-    const [{ showLink }, link] = await Promise.all([
-      part(() => import("./share-dialog.ts")),
-      this.#link(),
-    ]);
-    showLink(link, () => this.#save());
-  }
-
-  /** A link to the program; a mat of the reader's own goes with it. */
-  async #link(): Promise<string> {
-    const { labAddress, lab, program, worlds } = this.#desk;
-    const world = worlds.find(({ name }) => name === lab.world);
-    if (!world || !isOwnMat(world.name)) return linkTo(labAddress, lab, program.text);
-    const { linkToMat } = await part(() => import("./mats/mat-file.ts"));
-    return linkToMat(labAddress, world, { seed: lab.seed, program: program.text });
-  }
 }
-
-/** What few readers open is fetched when they do. */
-const dialogs = (): Promise<typeof import("./program-dialogs.ts")> =>
-  part(() => import("./program-dialogs.ts"));

@@ -3,11 +3,11 @@
  *
  * A disclosure, not a menu in the sense of ARIA: the list holds plain buttons, which Tab goes
  * through; the arrow keys, Home and End go from one to the next as well. Esc closes it.
- * Set `groups`. May import `ui`.
+ * Set `groups`, and `prepare` if they have to be fetched before the list opens. May import `ui`.
  */
 import { html, LitElement, type TemplateResult } from "lit";
-import { menuWords } from "../ui/file-words.ts";
 import { icons } from "../ui/icons.ts";
+import { labWords } from "../ui/strings.ts";
 import "./lab-menu.css";
 
 export interface MenuItem {
@@ -24,24 +24,32 @@ export interface MenuGroup {
 let menus = 0;
 
 export class LabMenu extends LitElement {
-  static override properties = { groups: { attribute: false }, open: { state: true } };
+  static override properties = {
+    groups: { attribute: false },
+    prepare: { attribute: false },
+    open: { state: true },
+  };
   declare groups: readonly MenuGroup[];
+  declare prepare: () => Promise<void>;
   declare open: boolean;
   readonly #id = `menu-${++menus}`;
+  /** It has been asked for and its groups are on their way. */
+  #isComing = false;
 
   constructor() {
     super();
     this.groups = [];
+    this.prepare = async () => {};
     this.open = false;
     this.addEventListener("keydown", (event) => this.#onKey(event));
     this.addEventListener("focusout", ({ relatedTarget }) => {
       // Null when the window is left, or a finger presses what takes no focus.
-      if (relatedTarget instanceof Node && !this.contains(relatedTarget)) this.open = false;
+      if (relatedTarget instanceof Node && !this.contains(relatedTarget)) this.#leave();
     });
   }
 
   readonly #onPress = ({ target }: Event): void => {
-    if (!(target instanceof Node && this.contains(target))) this.open = false;
+    if (!(target instanceof Node && this.contains(target))) this.#leave();
   };
 
   override createRenderRoot(): HTMLElement {
@@ -65,10 +73,11 @@ export class LabMenu extends LitElement {
         aria-expanded=${this.open ? "true" : "false"}
         aria-controls=${this.#id}
         @click=${() => {
-          this.open = !this.open;
+          if (this.open) this.open = false;
+          else void this.#open();
         }}
       >
-        ${icons.more}<span>${menuWords.more}</span>
+        ${icons.more}<span>${labWords.more}</span>
       </button>
       <div class="lab-menu-panel" id=${this.#id} ?hidden=${!this.open}>
         ${this.groups.map(({ title, items }, i) => this.#group(`${this.#id}-${i}`, title, items))}
@@ -86,6 +95,19 @@ export class LabMenu extends LitElement {
           </li>`,
         )}
       </ul>`;
+  }
+
+  async #open(): Promise<void> {
+    this.#isComing = true;
+    if (this.groups.length === 0) await this.prepare();
+    // Whoever has gone elsewhere meanwhile is not interrupted there.
+    if (this.#isComing) this.open = true;
+    this.#isComing = false;
+  }
+
+  #leave(): void {
+    this.#isComing = false;
+    this.open = false;
   }
 
   #act(item: MenuItem): void {
@@ -109,7 +131,7 @@ export class LabMenu extends LitElement {
       End: items.at(-1),
     };
     if (event.key === "Escape" && this.open) this.#close();
-    else if (event.key === "ArrowDown" && !this.open) this.open = true;
+    else if (event.key === "ArrowDown" && !this.open) void this.#open();
     else if (this.open && moves[event.key]) moves[event.key]?.focus();
     else return;
     event.preventDefault();

@@ -16,10 +16,10 @@
 import { LitElement, type PropertyValues, type TemplateResult } from "lit";
 import type { RunRequest } from "../runtime/client.ts";
 import type { Outcome } from "../trace/events.ts";
-import { writeTraceFile } from "../trace/file.ts";
 import { outcomeOf } from "../trace/outcome.ts";
 import type { Trace } from "../trace/trace.ts";
 import { guestWords, repeatWords } from "../ui/noise-words.ts";
+import { part } from "../ui/part.ts";
 import { pickerWords, statusWords } from "../ui/strings.ts";
 import type { Backdrop } from "../views/overhead/backdrop.ts";
 import { FIRST_SEED } from "./address.ts";
@@ -210,7 +210,8 @@ export class BugbotLab extends LitElement {
   }
 
   /** The run on show as the text of a trace file; null before the first run. */
-  traceText(): string | null {
+  async traceText(): Promise<string | null> {
+    const { writeTraceFile } = await part(() => import("../trace/file.ts"));
     const { trace } = this.#runs;
     return trace && writeTraceFile(trace);
   }
@@ -384,6 +385,11 @@ export class BugbotLab extends LitElement {
       runs: series.runs,
       report: series.report,
       menu: this.#files?.menu ?? [],
+      onMenu: async () => {
+        await this.#files?.open();
+        this.requestUpdate();
+        await this.updateComplete;
+      },
       onReset: () => this.#files?.reset(),
       onStop: () => {
         this.stop();

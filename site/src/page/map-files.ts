@@ -5,8 +5,8 @@
 import type { Trace } from "../trace/trace.ts";
 import { mapMenuWords } from "../ui/file-words.ts";
 import { part } from "../ui/part.ts";
+import { type LabDesk, placeOfRun } from "./lab-desk.ts";
 import type { MenuGroup } from "./lab-menu.ts";
-import { type LabDesk, placeOfRun } from "./run-files.ts";
 import { chooseFiles } from "./text-file.ts";
 
 /** Ends of the names of files that a map consists of. */

@@ -85,7 +85,13 @@ export class Progress extends EventTarget {
 
   /** The reader has no use for what was put aside. */
   forgetAsides(): void {
-    for (const { name } of this.#asides()) this.#store.forget(name);
+    const forget = (): void => {
+      for (const { name } of this.#asides()) this.#store.forget(name);
+    };
+    forget();
+    // A damaged record that nothing has been kept after is still in its own place.
+    if (this.#place === NAME) this.#change((record) => record);
+    forget();
     this.dispatchEvent(new Event("change"));
   }
 

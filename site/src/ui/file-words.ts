@@ -1,5 +1,5 @@
 /**
- * The words for files, links, earlier versions and print; `strings.ts` has the rest and the voice.
+ * The words for files, links and earlier versions; `strings.ts` has the rest and the voice.
  * Imports `dom` for the forms of numbers.
  */
 import { counted } from "./counted.ts";
@@ -16,7 +16,6 @@ const lines = (text: string): string => {
 };
 
 export const menuWords = {
-  more: "More",
   program: "Program",
   versions: "Earlier versions…",
   open: "Open a .py file…",
@@ -76,22 +75,6 @@ export const versionWords = {
   time: (at: Date) => at.toLocaleTimeString("en-GB", { hour: "2-digit", minute: "2-digit" }),
 };
 
-export const starterWords = {
-  changed: "This page’s program has changed since you started yours.",
-  see: "See the new one",
-  title: "The new program of this page",
-  lead: "Yours is still here, as you left it. If you take the new one, yours goes into the earlier versions.",
-  take: "Take the new one",
-  keep: "Keep mine",
-  taken: "This is the new program of this page.",
-};
-
-export const tabWords = {
-  changed: "This program has been changed in another tab.",
-  show: "Show that one",
-  shown: "This is the program from the other tab.",
-};
-
 export const shareWords = {
   title: "Share this program",
   lead: "The link holds the program, the world and the seed. Nothing is stored anywhere else, and whoever opens it is asked first.",
@@ -114,11 +97,6 @@ export const shareWords = {
   keep: "Keep mine",
   taken: "This is the shared program. Press Run to try it.",
   same: "The link holds the program that is here already.",
-};
-
-export const printWords = {
-  heading: (lab: string, world: string, seed: number) =>
-    `${lab ? `${lab}: ` : ""}${world}, seed ${seed}`,
 };
 
 /** The menu's part about ROS maps; what is said of one is in `ros-words.ts`. */

@@ -30,6 +30,7 @@ export const syntaxWords = {
 
 export const labWords = {
   untitled: "Lab",
+  more: "More",
   run: "Run",
   stop: "Stop",
   reset: "Reset program",
