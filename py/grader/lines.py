@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 
 __all__ = ["Line"]
 
+Points = Sequence[tuple[float, float]]
+"""Seconds and value of each."""
+
 
 class Line:
     """Each expectation returns the line, so that they can be written one after the other."""
@@ -68,21 +71,31 @@ class Line:
             )
         return self
 
-    def follows(self, reference: Sequence[tuple[float, float]], within: float) -> Line:
-        """Expect each point within so much of a reference's value at its time."""
+    def follows(self, reference: Points, within: float, or_else: Points = ()) -> Line:
+        """Expect each point within so much of a reference's value at its time.
+
+        or_else  another reference, if there are two ways to be right: all follow the one or the
+                 other
+        """
         if not reference:
             raise self.run.failure("a scan to plot something of", "the run has none")
+        apart = self._apart(reference, within)
+        if apart is None or (or_else and self._apart(or_else, within) is None):
+            return self
+        t, value, right = apart
+        raise self.run.failure(
+            f'the line "{self.name}" at {right:.3f} after {t:.2f} s', f"{value:.3f}", seconds=t
+        )
+
+    def _apart(self, reference: Points, within: float) -> tuple[float, float, float] | None:
+        """The first point too far from a reference: its time, its value, what is right there."""
         for t, value in self.points:
             right = _value_at(reference, t)
             # What is plotted just before the scan of the same moment is right as well.
             before = _value_at(reference, t - 1e-6)
             if min(abs(value - right), abs(value - before)) > within:
-                raise self.run.failure(
-                    f'the line "{self.name}" at {right:.3f} after {t:.2f} s',
-                    f"{value:.3f}",
-                    seconds=t,
-                )
-        return self
+                return t, value, right
+        return None
 
     def _within(
         self, verb: str, point: tuple[float, float], low: float | None, high: float | None
@@ -99,6 +112,6 @@ class Line:
         )
 
 
-def _value_at(points: Sequence[tuple[float, float]], seconds: float) -> float:
+def _value_at(points: Points, seconds: float) -> float:
     index = bisect_right(points, (seconds + 1e-9, float("inf")))
     return points[max(0, index - 1)][1]

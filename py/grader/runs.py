@@ -291,8 +291,11 @@ class Run:
         return self
 
     def number_after(self, text: str) -> float:
-        """The number printed after a text, the last one; fails if there is none."""
-        pattern = re.escape(text) + r"[^-+\d\n]{0,20}([-+]?\d+\.?\d*(?:[eE][-+]?\d+)?)"
+        """The number printed after a text, the last one; fails if there is none.
+
+        Blanks count as little as they do to a reader: "drift 0 :" is "drift 0:".
+        """
+        pattern = _with_any_blanks(text) + r"[^-+\d\n]{0,20}([-+]?\d+\.?\d*(?:[eE][-+]?\d+)?)"
         found = re.findall(pattern, self.console)
         if not found:
             raise self.failure(f"a number printed after {text!r}", self.last_printed)
@@ -385,3 +388,12 @@ class Run:
 
 def _times(count: int) -> str:
     return "once" if count == 1 else f"{count} times"
+
+
+def _with_any_blanks(text: str) -> str:
+    """A pattern for the text with one blank or more where it has some, and any before its signs."""
+    parts = re.findall(r"\s+|\w+|[^\w\s]", text)
+    return "".join(
+        r"[ \t]+" if each.isspace() else each if each.isalnum() else r"[ \t]*" + re.escape(each)
+        for each in parts
+    )

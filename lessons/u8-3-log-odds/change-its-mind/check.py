@@ -129,7 +129,7 @@ def unknown(task):
 def free(task):
     task.call(hits_needed, -8, 0.85, gives=11)
     task.call(hits_needed, -8, 0.4, gives=23)
-    task.call(hits_needed, -100, 0.85)
+    task.call(hits_needed, -8, 0.0625, gives=145)
 
 
 @check("Exactly at KNOWN is not above it", hint=2)

@@ -1,9 +1,9 @@
 """The chart's four series, scan by scan, held against what the readings say."""
 
 from dataclasses import dataclass
-from math import exp, floor
+from math import ceil, exp, floor
 
-from grader import check, code, function, lacks
+from grader import calls, check, code, function, lacks
 from grader import mistake as cause
 from mapping.beam import clear_length, end_of_hit, passed_by_steps
 from mapping.grid import Grid
@@ -76,6 +76,12 @@ def right(l, beam):
     return clamp(l - 0.4 * beam.passes + 0.85 * beam.hit)
 
 
+def beam_by_beam(l, beam, added):
+    for weight in beam.passes * [-0.4] + beam.hit * [0.85]:
+        l = added(l, weight)
+    return l
+
+
 def hit_at_each_step(l, beam):
     for step in range(beam.steps):
         l = clamp(l - 0.4 * (step < beam.passes))
@@ -109,6 +115,26 @@ MISTAKES = [
         "there is no clamp: add(), after adding, must keep log_odds[cell] between -L_MAX and L_MAX",
         lambda l, beam: l - 0.4 * beam.passes + 0.85 * beam.hit,
         hint=0,
+    ),
+    mistake(
+        "the clamp comes before the adding: add first, then clamp what comes out",
+        lambda l, beam: beam_by_beam(l, beam, lambda l, weight: clamp(l) + weight),
+        hint=0,
+    ),
+    mistake(
+        "the hit is not clamped: let add() add the hit too",
+        lambda l, beam: beam_by_beam(
+            l, beam, lambda l, weight: clamp(l + weight) if weight < 0 else l + weight
+        ),
+        hint=0,
+    ),
+    cause(
+        "min() and max() have changed places: whatever is added, a limit comes out",
+        lambda run: all(
+            abs(value) in (0, 8) for name in CELLS for _, value in run.line(name).points
+        ),
+        0,
+        where=(calls("min"), calls("max")),
     ),
     mistake(
         "clamped only at the top: floor needs a limit too, at -L_MAX",
@@ -178,10 +204,19 @@ MISTAKES = [
 ]
 
 
+def while_nearer(x, y, angle, length, cell):
+    """The cells of the rule in U8.2, `while along < clear`: a last step that is begun counts."""
+    return passed_by_steps(x, y, angle, ceil(length / (cell / 2)) * cell / 2, cell)
+
+
 def lines_follow(task, world, seed):
     run = task.run(world, seed=seed, seconds=30, mistakes=MISTAKES)
     for name, place in CELLS.items():
-        run.line(name).follows(run.evidence_at(*place), within=0.02)
+        run.line(name).follows(
+            run.evidence_at(*place),
+            within=0.02,
+            or_else=run.evidence_at(*place, passed_by=while_nearer),
+        )
     run.scanned(at_least=50)
 
 
@@ -205,7 +240,7 @@ def nothing(task):
     lines_follow(task, "open-corner", 14)
 
 
-CORNER_BEAM = (12.5, 12.5, 225, 13.0)
+CORNER_BEAM = (12.5, 12.5, 225, 12.5)
 """Down to the left through cells 82 and 41 to cell 0, which no other beam of the run gets near."""
 
 add_beam = function("add_beam(x, y, angle, reading)", lambda *_: None, compare=lambda *_: True)

@@ -2,7 +2,7 @@
 
 from math import hypot
 
-from grader import check, function, mistake, near, number
+from grader import calls, check, function, mistake, near, number
 from mapping.score import gap_cm
 
 
@@ -22,12 +22,12 @@ def gap_by(edges=True, beside=None, joined=hypot, every=min):
     return gap
 
 
-def percent_by(is_wrong=lambda gap: gap > 5, of=len, times=100):
+def percent_by(is_wrong=lambda gap: gap > 5, of=len, times=100, answer=float):
     """The share of wrong cells, or a slip of it."""
 
     def wrong_percent(occupied, real):
         wrong = [point for point in occupied if is_wrong(gap_cm(*point, real))]
-        return times * len(wrong) / of(occupied) if occupied else 0
+        return answer(times * len(wrong) / of(occupied)) if occupied else 0
 
     return wrong_percent
 
@@ -99,6 +99,15 @@ wrong_percent = function(
             "that is a share from 0 to 1: per cent are a hundred times as many",
             percent_by(times=1),
             2,
+        ),
+        *(
+            mistake(
+                "the per cent was rounded: return it as it is, and round only what you print",
+                percent_by(answer=lambda percent, digits=digits: round(percent, digits)),
+                2,
+                where=calls("round"),
+            )
+            for digits in (0, 1)
         ),
     ],
 )

@@ -1,6 +1,6 @@
 """speeds(dx, dy, facing): which way to drive, seen from a robot that faces any way."""
 
-from math import atan2, cos, hypot, radians, sin
+from math import atan2, cos, degrees, hypot, radians, sin
 
 from grader import calls, check, function, mistake, near
 
@@ -23,6 +23,11 @@ def swapped(dx, dy, facing):
 
 def still_going(dx, dy, facing):
     return by()(dx, dy, facing) if dx or dy else (100, 0)
+
+
+def in_degrees(dx, dy, facing):
+    off = degrees(atan2(dx, dy)) - facing
+    return (100 * cos(off), 100 * sin(off)) if dx or dy else (0, 0)
 
 
 speeds = function(
@@ -64,6 +69,22 @@ speeds = function(
             by(scale=hypot),
             2,
         ),
+        mistake(
+            "an angle in degrees went into math.sin() and math.cos(): they want radians",
+            in_degrees,
+            2,
+            where=calls("sin", "cos"),
+        ),
+        (
+            "near the target the robot slows down: it drives at 100 per cent however near it is",
+            by(scale=lambda dx, dy: min(100, 10 * hypot(dx, dy))),
+            2,
+        ),
+        (
+            "a target less than 1 cm away counts as reached: stop only if dx and dy are both 0",
+            lambda dx, dy, facing: by()(dx, dy, facing) if hypot(dx, dy) >= 1 else (0, 0),
+            2,
+        ),
         ("at the target the robot drives on: there both are 0", still_going, 2),
     ],
 )
@@ -87,6 +108,13 @@ def any_way(task):
     for _ in range(20):
         dx, dy = task.random.uniform(-90, 90), task.random.uniform(-90, 90)
         task.call(speeds, dx, dy, task.random.uniform(0, 360))
+
+
+@check("The target is near", hint=2)
+def near_by(task):
+    task.call(speeds, 0, 4, 90, gives=(0, -100))
+    task.call(speeds, -3, 4, 0, gives=(80, -60))
+    task.call(speeds, 0.5, 0, 90, gives=(100, 0))
 
 
 @check("It is there", hint=2)

@@ -48,6 +48,7 @@ def test_the_value_at_a_time_is_that_of_the_last_point_up_to_then() -> None:
         lambda: FALLING.reaches(1),
         lambda: FALLING.reaches(2, by=1),
         lambda: line((0, 3), (1, 5), (2, 9)).follows(SAID, within=0.0),
+        lambda: line((0, 8), (1, 8)).follows(SAID, 0.0, or_else=[(0, 8)]),
         # Plotted just before the scan of the same moment.
         lambda: line((1, 3), (2, 5)).follows(SAID, within=0.0),
         lambda: line((0, 2.5), (1, 5.5)).follows(SAID, within=0.5),
@@ -75,6 +76,12 @@ def test_what_a_line_does(expectation: Callable[[], Line]) -> None:
             lambda: LATE.reaches(8, by=1),
             'the line "a" to reach 8 by 1 s',
             "it only gets to 7",
+            1,
+        ),
+        (
+            lambda: line((0, 3), (1, 8)).follows(SAID, 0, or_else=[(0, 8)]),  # half and half
+            'the line "a" at 5.000 after 1.00 s',
+            "8.000",
             1,
         ),
         (lambda: RISING.follows([], 1), "a scan to plot something of", "the run has none", None),

@@ -58,6 +58,7 @@ MAP = f"scan()\n{SQUARES}{WALL}"
             'assert run.number_after("drift:") == -0.25',
             "print('drift: 7')\nprint('drift: -0.25 degrees')",
         ),
+        ('assert run.number_after("drift 2:") == 5', "print('drift ', 2, ':', 5)"),
         ('run.visits(lambda x, y: y > 60, "up there", by=10).never_bumps()', "forward(100, 30)"),
         ("run.scanned(at_least=2)", "scan()\ndistance()"),
         ("assert run.pose_at(0) == (100, 40, 0) and run.start.x == 100", "turn(90)"),
