@@ -24,7 +24,7 @@ from pathlib import Path
 from bugbot.errors import counted
 from bugbot.plain_text import json_text, plain
 from grader.classes.command import add_arguments, mark_all
-from grader.lesson import LESSONS, CourseError, TaskFolder, lesson_at
+from grader.lesson import LESSONS, CourseError, TaskFolder, lesson_at, name_of_lesson
 from grader.marking import Performer, mark_program
 from grader.mutants import command as mutants_command
 from grader.parts import PartError, compose
@@ -61,7 +61,9 @@ def _parser() -> argparse.ArgumentParser:
         dest="command", required=True, metavar="mark|mark-all|check|mutants"
     )
     mark = commands.add_parser("mark", help="mark a program")
-    mark.add_argument("lesson", metavar="LESSON", help="the name of a lesson's folder")
+    mark.add_argument(
+        "lesson", metavar="LESSON", type=name_of_lesson, help="the name of a lesson's folder"
+    )
     mark.add_argument("task", metavar="TASK", help="the name of the task")
     mark.add_argument("file", metavar="FILE", help="the program's file; - reads standard input")
     mark.add_argument(
@@ -76,7 +78,13 @@ def _parser() -> argparse.ArgumentParser:
     whole = commands.add_parser("mark-all", help="mark the files of a whole class")
     add_arguments(whole, _count)
     check = commands.add_parser("check", help="check one lesson, or all of the course")
-    check.add_argument("lesson", nargs="*", metavar="LESSON", help="the names of lessons' folders")
+    check.add_argument(
+        "lesson",
+        nargs="*",
+        metavar="LESSON",
+        type=name_of_lesson,
+        help="the names of lessons' folders",
+    )
     check.add_argument(
         "--seeds", type=_count, default=SEEDS, help=f"noises a solution must pass on ({SEEDS})"
     )

@@ -34,6 +34,7 @@ __all__ = [
     "TaskFolder",
     "course",
     "lesson_at",
+    "name_of_lesson",
     "shown",
 ]
 
@@ -138,6 +139,11 @@ def shown(path: Path) -> str:
         return path.resolve().relative_to(LESSONS.parent).as_posix()
     except ValueError:
         return path.as_posix()
+
+
+def name_of_lesson(typed: str) -> str:
+    """A lesson's name as somebody typed it: shells complete it to "lessons/u8-…/"."""
+    return Path(typed).name
 
 
 def course(folder: Path) -> tuple[list[str], list[Fault]]:

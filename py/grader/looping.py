@@ -64,7 +64,8 @@ def _loop(node: ast.AST, part: ast.AST, text: Text) -> str | None:
         keyed = any(each.arg == "key" for each in node.keywords)
         return f"{_name(node.func)}() with a key, which is asked for each item" if keyed else None
     name = _name(node)
-    if name in _ONE_BY_ONE and name not in text.stored:
+    named = (each for each in text.definitions if isinstance(each, ast.FunctionDef))
+    if name in _ONE_BY_ONE and name not in text.stored | {each.name for each in named}:
         return f"{name}(), which goes through the items one by one"
     return None
 

@@ -172,7 +172,7 @@ class Map:
         percent = 100.0 * len(cells) / max(1, len(self._said))
         if percent > at_most:
             self._fail(
-                f"at most {at_most:g} % of its cells drawn free or occupied without enough "
+                f"of the cells it draws free or occupied, at most {at_most:g} % without enough "
                 "evidence from the beams",
                 f"{percent:.1f} %: {len(cells)} of {counted(len(self._said), 'cell')}",
                 self._cells(cells),

@@ -38,14 +38,16 @@ def _details(check: dict[str, Any]) -> list[str]:
     lines = [f"      expected: {check['expected']}", f"      got:      {check['got']}"]
     where = check["where"]
     if where is not None:
-        parts = [f"world {where['world']['name']}"]
+        is_plain_call = where["job"] is None and where["world"]["name"] == "empty"
+        parts = [] if is_plain_call else [f"world {where['world']['name']}"]
         if where["seconds"] is not None:
             parts.append(f"at {where['seconds']:.1f} s")
         if where["cells"]:
             cells = ", ".join(f"({column}, {row})" for column, row in where["cells"][:5])
             more = len(where["cells"]) - 5
             parts.append(f"cells {cells}{f' and {more} more' if more > 0 else ''}")
-        lines.append(f"      where:    {'; '.join(parts)}")
+        if parts:
+            lines.append(f"      where:    {'; '.join(parts)}")
     if check["likely"] is not None:
         lines.append(f"      likely:   {check['likely']}")
     if check["hint"] is not None:

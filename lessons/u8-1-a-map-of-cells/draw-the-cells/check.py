@@ -70,8 +70,8 @@ MISTAKES = [
         2,
     ),
     (
-        "only one cell is drawn: mark has to ask position() each time, and cells that were marked "
-        "before must stay marked",
+        "only one cell is drawn: either mark does not ask position() each time or keep what it has "
+        "marked, or show draws only one of the cells that are True",
         lambda run: len(drawn(run)) == 1,
         0,
     ),
@@ -139,7 +139,7 @@ def compare(task, world):
     task.expect(
         not extra,
         expected="no cell drawn where the robot has not been",
-        got=f"{len(extra)} such cells",
+        got=f"{len(extra)} such cell{'' if len(extra) == 1 else 's'}",
         run=run,
         cells=[cell(x, y) for x, y in sorted(extra)],
         cell_cm=CELL,

@@ -2,7 +2,7 @@
 
 from math import cos, hypot, radians, sin
 
-from grader import calls, check, lacks, mistake
+from grader import calls, check, lacks, mistake, operator
 
 
 def pose(run, scan):
@@ -13,19 +13,31 @@ def trail(run, seen_as=pose):
     return [seen_as(run, scan)[:2] for scan in run.scans]
 
 
-def walls(run, seen_as=pose, turned=radians, far=170, which=slice(None), from_robot=1, up=1, fan=1):
+def walls(
+    run,
+    seen_as=pose,
+    turned=radians,
+    far=170,
+    which=slice(None),
+    from_robot=1,
+    up=1,
+    fan=1,
+    way_of=None,
+    kept=lambda x, y: True,
+):
     dots = []
     for scan in run.scans:
         x, y, facing = seen_as(run, scan)
         found = []
         for angle, reading in scan.beams:
             if reading < far:
-                way = turned(facing + fan * angle)
+                way = turned(facing + fan * angle) if way_of is None else way_of(facing, angle)
                 end = (
                     from_robot * x + reading * sin(way),
                     from_robot * y + up * reading * cos(way),
                 )
-                found.append(end)
+                if kept(*end):
+                    found.append(end)
         dots += found[which]
     return dots
 
@@ -103,6 +115,34 @@ SLIPS = [
     ),
     slip("the maximum was taken for a wall: a reading of FAR or more gets no dot", 2, far=1000),
     slip(
+        "math.radians() got only one of the two angles: turn facing + angle into radians",
+        1,
+        way_of=lambda facing, angle: radians(facing) + angle,
+    ),
+    slip(
+        "math.radians() got only one of the two angles: turn facing + angle into radians",
+        1,
+        way_of=lambda facing, angle: facing + radians(angle),
+    ),
+    mistake(
+        "a reading of exactly FAR has found nothing either: a dot is for less than FAR",
+        lambda run: alike(run.layer("walls"), walls(run, far=170.000001)),
+        2,
+        where=operator("<=", ">", ">="),
+    ),
+    slip(
+        "dots a little off the mat are left out: noise puts some there, and each hit gets its dot",
+        2,
+        kept=lambda x, y: 0 <= x < 200 and 0 <= y < 200,
+    ),
+    (
+        "the trail gets a point for every beam: one for each look is enough, outside the loop",
+        lambda run: alike(
+            run.layer("trail"), [place for place in trail(run) for _ in run.scans[0].beams]
+        ),
+        2,
+    ),
+    slip(
         "x and y are the wrong way round: position() gives x first",
         0,
         seen_as=lambda run, scan: (
@@ -117,13 +157,14 @@ SLIPS = [
 def dots_fit(task, world, seed):
     run = task.run(world, seed=seed, seconds=30, mistakes=SLIPS)
     run.scanned(at_least=80).visits(lambda x, y: x > 80, "the end of the bend")
-    for name, wanted in (("trail", trail(run)), ("walls", walls(run))):
+    for name, wanted, hint in (("trail", trail(run), 0), ("walls", walls(run), 1)):
         dots = run.layer(name)
         task.expect(
             len(dots) == len(wanted),
             expected=f"{len(wanted)} points in the layer {name!r}",
             got=f"{len(dots)}",
             run=run,
+            hint=2,  # the loop and its condition
         )
         for dot, right in zip(dots, wanted):
             task.expect(
@@ -131,6 +172,7 @@ def dots_fit(task, world, seed):
                 expected=f"in {name!r}, a point at ({right[0]:.1f}, {right[1]:.1f})",
                 got=f"({dot[0]:.1f}, {dot[1]:.1f})",
                 run=run,
+                hint=hint,
             )
 
 

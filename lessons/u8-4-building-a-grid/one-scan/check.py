@@ -43,7 +43,7 @@ add_scan = function(
             where=calls("heading"),
         ),
         mistake(
-            "heading() tells the heading of now: the scan was taken while the robot faced facing",
+            "heading() tells the heading at this moment: in the scan the robot faced facing",
             by(lambda facing, angle: 45 + angle),
             1,
             where=calls("heading"),

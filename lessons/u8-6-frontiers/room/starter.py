@@ -1,7 +1,7 @@
 # Room for the robot
 #
 # The robot is a disc of 5 cm, and the map has cells. On
-# which cells has it room to stand? Your function finds
+# which cells does it have room? Your function finds
 # them: green squares. There should be a green path
 # through the doorway.
 

@@ -29,7 +29,7 @@ from grader.classes.submissions import Found, find
 from grader.classes.summary import STATUSES, in_order, totals
 from grader.classes.table import csv_of
 from grader.classes.work import NOT_MARKED, Row, Work, work_of
-from grader.lesson import CourseError, Lesson, course, lesson_at
+from grader.lesson import CourseError, Lesson, course, lesson_at, name_of_lesson
 from sandbox.node import prepared
 
 __all__ = ["add_arguments", "mark_all"]
@@ -50,7 +50,9 @@ def add_arguments(parser: argparse.ArgumentParser, count: Callable[[str], int]) 
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _SHAPE
     parser.add_argument("folder", metavar="FOLDER", type=Path, help="holds the class's files")
-    parser.add_argument("--lesson", metavar="LESSON", help="mark the tasks of this lesson only")
+    parser.add_argument(
+        "--lesson", metavar="LESSON", type=name_of_lesson, help="mark the tasks of this lesson only"
+    )
     parser.add_argument("--task", metavar="TASK", help="mark this task only")
     parser.add_argument("--out", metavar="DIR", type=Path, help="where to write (FOLDER-marks)")
     parser.add_argument("--again", action="store_true", help="mark all anew, nothing from before")

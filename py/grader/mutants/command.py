@@ -17,7 +17,7 @@ from collections.abc import Callable
 from typing import Any
 
 from bugbot.errors import counted
-from grader.lesson import CourseError, course, shown
+from grader.lesson import CourseError, course, name_of_lesson, shown
 from grader.mutants.mutants import Mutant
 from grader.mutants.study import Study, sample, studies_of, study_all
 
@@ -31,7 +31,11 @@ _WIDE = 52
 def add_arguments(parser: argparse.ArgumentParser, count: Callable[[str], int]) -> None:
     """What can be asked on the command line."""
     parser.add_argument(
-        "names", nargs="*", metavar="NAME", help="only these lessons, or a lesson and its task"
+        "names",
+        nargs="*",
+        metavar="NAME",
+        type=name_of_lesson,
+        help="only these lessons, or a lesson and its task",
     )
     parser.add_argument("--list", action="store_true", help="print the mutants, and try none")
     parser.add_argument("--sample", type=count, metavar="N", help="try only so many, at random")

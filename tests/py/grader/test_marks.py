@@ -5,6 +5,7 @@ from __future__ import annotations
 from judged import CELL, RIGHT, failed, marked
 
 from grader.marks import first_failed
+from grader.report import text_of
 
 PASSED = {
     "title": "On the mat",
@@ -30,3 +31,12 @@ def test_the_first_failed_check_is_the_one_that_failed_not_the_one_that_passed()
     beside = marked(CELL, "def cell_of(x, y):\n    return int(x / 10), int(y / 10)\n")
     assert [each["status"] for each in beside["checks"]] == ["passed", "failed"]
     assert first_failed(beside) == beside["checks"][1]
+
+
+def test_the_text_of_a_mark_names_a_world_only_where_one_matters() -> None:
+    def where_in(check: str) -> str:
+        lines = text_of(marked(check, "def cell_of(x, y):\n    return 9, 9\n")).splitlines()
+        return next((each.strip() for each in lines if "where:" in each), "")
+
+    assert where_in(CELL).startswith("where:    cells (")
+    assert where_in(CELL.replace("cell_cm=10,", "")) == ""

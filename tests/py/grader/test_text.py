@@ -170,6 +170,7 @@ DEFINE = "import numpy as np\nfrom functools import reduce\ndef f(points, depth=
         ("return f(points[1:])", 3, "a function that calls itself, f()"),
         ("return g(points)\ndef g(p): return f(p[1:])", 3, "a function that calls itself, f()"),
         ("return g(points)\ndef g(p):\n    for x in p: return x", 6, "a for loop"),
+        ("return map(points)\ndef map(p): return [x for x in p]", 5, "a comprehension"),
         ("pts = points.T\n    return [q for q in pts.T]", 5, "a comprehension"),
         ("return [p for p in (*points,)]", 4, "a comprehension"),
     ],
@@ -190,6 +191,7 @@ def test_a_loop_is_found_in_whatever_form(body: str, line: int, what: str) -> No
         "return np.array([c // 5 for c in points.T]).T",
         "return points\nfor each in f([1, 2]): print(each)",  # it only shows
         "map = points\n    return map * 2",
+        "return map(points)\ndef map(p): return np.floor(p)",  # the program's own
         "return points\ndef unused(p):\n    return [x for x in p]",
     ],
 )

@@ -1,4 +1,4 @@
-# earns: heading() tells the heading of now
+# earns: heading() tells the heading at this moment
 # One scan into the grid
 #
 # The robot faces half right and looks once. A scan is a

@@ -1,7 +1,7 @@
 # earns: that is how long the route is
 # A way round
 #
-# The red dot is not to be reached in a straight line.
+# The red dot can't be reached in a straight line.
 # Your function finds the shortest way through the cells
 # with room: a green line.
 
