@@ -6,7 +6,7 @@ int(clear / step) then agree. No point lies on a line between cells.
 
 from math import cos, floor, radians, sin
 
-from grader import calls, check, function, mistake, near, operator
+from grader import calls, check, code, function, mistake, near, operator
 from mapping.beam import Weights, passed_by_steps
 from mapping.mapper import Mapper
 
@@ -103,6 +103,20 @@ add_beam = function(
     grid_cm=5,
     compare=near(0.0001),
     mistakes=[
+        mistake(
+            "a copy of the list was changed: change log_odds itself, the list that came in",
+            lambda log_odds, x, y, angle, reading: None,
+            2,
+            where=(
+                code(
+                    "log_odds = list(log_odds)",
+                    "log_odds = log_odds[:]",
+                    "log_odds = log_odds.copy()",
+                    "log_odds = _ + _",
+                ),
+                lambda text: not text.returns_a_value,
+            ),
+        ),
         mistake(
             "sine and cosine are the wrong way round: an angle is clockwise from "
             "up the mat, so x goes by sine and y by cosine",

@@ -23,6 +23,11 @@ def by(turned=lambda facing, angle: facing + angle, which=slice(None), at=lambda
     return add_scan
 
 
+def by_fixed_angles(log_odds, x, y, facing, readings):
+    pairs = [(angle, reading) for angle, (_, reading) in zip(FAN, readings, strict=True)]
+    by()(log_odds, x, y, facing, pairs)
+
+
 add_scan = function(
     "add_scan(log_odds, x, y, facing, readings)",
     by(),
@@ -30,6 +35,11 @@ add_scan = function(
     grid_cm=5,
     compare=near(0.0001),
     mistakes=[
+        (
+            "the angles were worked out: take each from readings, beside its distance",
+            by_fixed_angles,
+            1,
+        ),
         mistake(
             "add_beam() got radians: it wants degrees, and turns them into radians itself",
             by(lambda facing, angle: radians(facing + angle)),
@@ -110,6 +120,12 @@ def right(task):
     task.call(
         add_scan, EMPTY, 61.0, 102.5, 90, [[angle, 30 + 5 * i] for i, angle in enumerate(FAN)]
     )
+
+
+@check("Eight other angles", hint=1)
+def other_angles(task):
+    readings = [[-70.0 + 20 * i, 30.0 + 2.5 * i] for i in range(8)]
+    task.call(add_scan, EMPTY, 101.0, 92.5, 10, readings)
 
 
 @check("Any heading, and a map that has been begun", hint=1)

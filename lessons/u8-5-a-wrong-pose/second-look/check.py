@@ -140,6 +140,12 @@ drift_rate = function(
             rate_by(lambda a, b: b - a),
             2,
         ),
+        mistake(
+            "abs() takes the sign away: the drift may go either way, so keep it",
+            rate_by(lambda a, b: abs(b - a)),
+            2,
+            where=calls("abs"),
+        ),
         (
             "that is the angle, not the rate: divide by the seconds between",
             rate_by(per=lambda seconds: 1),
