@@ -35,7 +35,7 @@ def text_of(mark: dict[str, Any]) -> str:
 
 
 def _details(check: dict[str, Any]) -> list[str]:
-    lines = [f"      expected: {check['expected']}", f"      got:      {check['got']}"]
+    lines = [_detail("expected", check["expected"]), _detail("got", check["got"])]
     where = check["where"]
     if where is not None:
         is_plain_call = where["job"] is None and where["world"]["name"] == "empty"
@@ -47,12 +47,22 @@ def _details(check: dict[str, Any]) -> list[str]:
             more = len(where["cells"]) - 5
             parts.append(f"cells {cells}{f' and {more} more' if more > 0 else ''}")
         if parts:
-            lines.append(f"      where:    {'; '.join(parts)}")
+            lines.append(_detail("where", "; ".join(parts)))
     if check["likely"] is not None:
-        lines.append(f"      likely:   {check['likely']}")
+        lines.append(_detail("likely", check["likely"]))
     if check["hint"] is not None:
-        lines.append(f"      help:     hint {check['hint'] + 1}")
+        lines.append(_detail("help", f"hint {check['hint'] + 1}"))
     return lines
+
+
+def _detail(name: str, text: str) -> str:
+    """A line, with what follows in it below its beginning.
+
+    Some of it is the learner's text: no line of it may look like one of ours, and nothing in it
+    may move the terminal's cursor.
+    """
+    plain = ["".join(c if c.isprintable() else " " for c in line) for line in text.splitlines()]
+    return f"      {name + ':':<10}" + f"\n{' ' * 16}".join(plain)
 
 
 # -- results ---------------------------------------------------------------------

@@ -322,8 +322,9 @@ def _misses_a_name(answer: dict[str, Any]) -> bool:
 
 def _cut_short(reply: Any, group: Group, answered: int) -> CheckFailed:
     """Why there are fewer answers than calls: the program never got so far."""
+    garbled = ProgramFailed("answers from the program", "what came back from it was garbled")
     if not isinstance(reply, dict):
-        return ProgramFailed("answers from the program", "what came back from it was garbled")
+        return garbled
     if reply.get("skipped"):
         raise NotRun
     fault = _fault_in(reply)
@@ -331,10 +332,11 @@ def _cut_short(reply: Any, group: Group, answered: int) -> CheckFailed:
         return ProgramFailed(
             "a program that runs without an error", fault_text(fault), likely=fault.get("hint")
         )
+    message = reply.get("message")
+    if not isinstance(message, str):
+        return garbled
     if reply.get("status") == "limit":
-        return ProgramFailed("a program that comes to its end", str(reply.get("message"))[:600])
+        return ProgramFailed("a program that comes to its end", message[:600])
     if reply.get("status") == "finished" and not answered:
-        return ProgramFailed(
-            "a program whose functions can be called", str(reply.get("message"))[:600]
-        )
+        return ProgramFailed("a program whose functions can be called", message[:600])
     return ProgramFailed("answers to all calls", "the program was ended before it gave them")

@@ -41,15 +41,21 @@ def doubt(trace: Trace, world: World) -> Doubt | None:
         return "there is no record of how the robot was driven", 0.0
     end = trace.events[-1][1] if trace.events else 0.0
     again = Trace("", world.to_dict(), trace.header["seed"])
-    moments = _drive(Simulator(world, trace.header["seed"], again), trace.moves, end)
-    return _about_record(trace, again.events) or _about_moments(trace, moments)
+    claimed = [event for event in trace.events if event[0] in _SIMULATED]
+    sim = Simulator(world, trace.header["seed"], again)
+    moments = _drive(sim, again, trace.moves, end, len(claimed))
+    return _about_record(claimed, again.events) or _about_moments(trace, moments)
 
 
-def _drive(sim: Simulator, moves: list[Any], end: float) -> set[float]:
-    """Make the moves, as far as the run goes; the moments between them."""
+def _drive(sim: Simulator, made: Trace, moves: list[Any], end: float, claimed: int) -> set[float]:
+    """Make the moves, as far as the run goes; the moments between them.
+
+    Looks take no time, so what has been made is counted as well: once it is more than the record
+    claims, the two differ and the rest would only keep the judge.
+    """
     moments = {sim.t}
     for move in moves:
-        if sim.t > end + _SLACK:
+        if sim.t > end + _SLACK or len(made.events) > claimed:
             break
         if move == 1:
             sim.distance()
@@ -64,9 +70,8 @@ def _drive(sim: Simulator, moves: list[Any], end: float) -> set[float]:
     return moments
 
 
-def _about_record(trace: Trace, true: list[Event]) -> Doubt | None:
+def _about_record(claimed: list[Event], true: list[Event]) -> Doubt | None:
     """What parts the record from the run that its moves make."""
-    claimed = [event for event in trace.events if event[0] in _SIMULATED]
     for event, real in zip(claimed, true, strict=False):
         found = _parts(event, real)
         if found is not None:

@@ -12,6 +12,7 @@ import pytest
 
 from bugbot import worlds
 from bugbot.run import run_program
+from bugbot.sim.simulator import Simulator
 from bugbot.trace import Trace
 from bugbot.worlds import World
 from grader.failures import CheckFailed
@@ -184,6 +185,22 @@ def test_moves_without_end_are_not_made() -> None:
     """Each of them is possible; together they would keep the judge for ever."""
     forever = with_moves(lambda moves: moves.extend([[0, 0, 100, 10.0, True]] * 1_000_000))
     assert doubt(forever, WORLD) is not None
+
+
+def test_looks_without_end_are_not_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They take no time, and each leaves a record: a million would fill the judge's memory."""
+    looks = 0
+    real = Simulator.scan
+
+    def counted(sim: Simulator) -> Any:
+        nonlocal looks
+        looks += 1
+        return real(sim)
+
+    forever = with_moves(lambda moves: moves.extend([8] * 1_000_000))
+    monkeypatch.setattr(Simulator, "scan", counted)
+    assert doubt(forever, WORLD) is not None
+    assert looks < 1000
 
 
 def test_readings_are_held_against_the_seed() -> None:
