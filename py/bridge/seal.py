@@ -51,15 +51,25 @@ def seal() -> None:
         module: Any = sys.modules.pop(name)
         if isinstance(module, ModuleType):
             _empty(vars(module))
-    # Python keeps a copy of an extension module's names, from which it would recreate it.
     for each in gc.get_objects():
+        # Python keeps a copy of an extension module's names, from which it would recreate it.
         if type(each) is dict and each.get("__name__") == "_pyodide_core":
             _empty(each)
+        # What made those modules holds on to the JavaScript they were made of.
+        elif _is_route(str(type(each).__module__)):
+            names = getattr(each, "__dict__", None)
+            if type(names) is dict:
+                _empty(names)
     importlib.invalidate_caches()
 
 
 def _empty(names: dict[str, Any]) -> None:
     """Remove modules, functions written in C and JavaScript's objects; Pyodide uses the others."""
     for name, value in list(names.items()):
-        if isinstance(value, ModuleType | BuiltinFunctionType) or type(value).__name__ == "JsProxy":
+        if isinstance(value, ModuleType | BuiltinFunctionType) or _is_of_javascript(value):
             del names[name]
+
+
+def _is_of_javascript(value: object) -> bool:
+    """Is it one of JavaScript's objects? Their classes have many names, and one ancestor."""
+    return any(each.__name__ == "JsProxy" for each in type(value).__mro__)

@@ -259,4 +259,42 @@ open("/tmp/evil.so", "wb").write(b"\\0asm\\1\\0\\0\\0")
 ctypes.CDLL("/tmp/evil.so")
 print("OPEN")`,
   },
+  {
+    name: "what has loaded modules that are gone, and all else of Pyodide's with attributes",
+    program: `
+import gc
+for one in gc.get_objects():
+    if "pyodide" not in str(type(one).__module__): continue
+    try:
+        held = vars(one)
+    except TypeError:
+        continue
+    for name, value in list(held.items()):
+        if any(kind.__name__ == "JsProxy" for kind in type(value).__mro__): print("OPEN", one, name)
+print("closed")`,
+  },
+  {
+    name: "a small library of one's own, which is no wrapper of a function",
+    breaks: true,
+    program: `
+import importlib.machinery, importlib.util
+def section(number, body): return bytes([number, len(body)]) + body
+def name(text): return bytes([len(text)]) + text
+body = b"\\0asm\\1\\0\\0\\0"
+body += section(0, name(b"dylink.0") + bytes([1, 4, 0, 0, 0, 0]))
+body += section(1, bytes([1, 0x60, 0, 1, 0x7f]))
+body += section(2, bytes([1]) + name(b"env") + name(b"Py_GetVersion") + bytes([0, 0]))
+body += section(7, bytes([1]) + name(b"PyInit_evil") + bytes([0, 0]))
+print(len(body), "bytes")
+open("/tmp/evil.so", "wb").write(body)
+import _imp
+spec = importlib.machinery.ModuleSpec("evil", None, origin="/tmp/evil.so")
+try:
+    _imp.create_dynamic(spec)
+    print("OPEN: it was loaded")
+except ImportError as error:
+    print("closed", error)
+except SystemError as error:
+    print("OPEN: it was loaded and called", error)`,
+  },
 ];
