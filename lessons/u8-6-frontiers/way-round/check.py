@@ -1,10 +1,10 @@
 """find_way(start, goal, room): a shortest route; any that is as short is right."""
 
 from heapq import heappop, heappush
-from itertools import pairwise
-from math import dist
+from itertools import chain, pairwise
+from math import dist, hypot
 
-from grader import check, exactly, function
+from grader import calls, check, exactly, function, lacks, mistake
 from mapping.grid import Grid
 from mapping.planning import shortest_way
 
@@ -12,6 +12,31 @@ MAT = Grid(10)
 SIDES = [(-1, 0), (1, 0), (0, -1), (0, 1)]
 CORNERS = [(-1, -1), (1, -1), (-1, 1), (1, 1)]
 CELLS = {MAT.cell(index) for index in range(len(MAT.cells))}
+
+# From S to G a search that is nearly right takes a longer route. Small rooms tell it of the fewest
+# steps, of an estimate that is too long, and of a length that is never improved.
+SMALL_ROOMS = """
+##...G. ..##.S. .....## ...G... #.#.... .......
+#...... ....... ......S .###... .#..... .#.#...
+....... #..##.. ...#... ..##... ....#.. .......
+.#..... .#..... ..#..#. ..##... .S##.#. #.....S
+.#.#... ##..... G...#.. .##.##. .#.#... ...#...
+....#.. G...... ....... ....... .#..#.G .G.....
+..#S..# ....... ..#.... .#S.... ....... ..#....
+"""
+# Larger ones tell it of an estimate a little too long, and of a stop when the goal is first seen.
+LARGER_ROOMS = """
+##......#. ..#....... ..G#.#.... ..#G#.....
+.##.S...## ..#..#.... .......... ........#.
+.#........ ....###.S. ....##.#.# ..........
+#......... #......... ......#... ..#.......
+.....#.... .#........ .#.....#.. .......#..
+..#.....#. .....#...# #.....#... .......#.#
+##......#. .....#..#. ..#....##. #.......S.
+.#....##.. #.#....... ..#.....#S ...#..#...
+........G. ...#.#.#.. .......... ..#.......
+.#...#.... ..G.....## ...#...... .##.#.....
+"""
 
 
 def reference(start, goal, room):
@@ -22,21 +47,36 @@ def reference(start, goal, room):
 def as_short(expected, got):
     """Whether it is a route from start to goal, step by step, and no longer."""
     if isinstance(expected, dict):
-        return _right_once_mended(expected, got)
+        return _as_mistaken(expected, got)
     if not isinstance(expected, list):
         return exactly(expected, got)  # no list of cells: a mistake's answer
+    length = _length(expected, got)
+    return length is not None and abs(length - _shortest(expected)) < 1e-6
+
+
+def _shortest(way):
+    return sum(dist(a, b) for a, b in pairwise(way))
+
+
+def _length(expected, got):
+    """How long a list is as a route between the same two cells; None if it is none."""
     if not isinstance(got, list | tuple) or not all(_is_cell(each) for each in got):
-        return False
+        return None
     if not expected or not got:
-        return not expected and not got
+        return None if expected or got else 0
     steps = [dist(a, b) for a, b in pairwise(got)]
-    shortest = sum(dist(a, b) for a, b in pairwise(expected))
-    return (
-        tuple(got[0]) == expected[0]
-        and tuple(got[-1]) == expected[-1]
-        and all(0 < step < 1.5 for step in steps)
-        and abs(sum(steps) - shortest) < 1e-6
-    )
+    ends = tuple(got[0]) == expected[0] and tuple(got[-1]) == expected[-1]
+    return sum(steps) if ends and all(0 < step < 1.5 for step in steps) else None
+
+
+def _as_mistaken(slip, got):
+    """Whether it is what a mistake answers, by a property where routes may differ."""
+    if "steps" in slip:
+        return isinstance(got, list | tuple) and len(got) == slip["steps"]
+    if "longer than" in slip:
+        length = _length(slip["longer than"], got)
+        return length is not None and length > _shortest(slip["longer than"]) - 1e-6
+    return _right_once_mended(slip, got)
 
 
 def _right_once_mended(slip, got):
@@ -76,11 +116,17 @@ def through(room):
     return function("find_way(start, goal, room)", reference, compare=allowed, cell_cm=10)
 
 
-def search(start, goal, room, steps, cost=dist, cuts=False):
-    """A mistake in it: other steps, other costs, or corners cut (True, or "one")."""
+def search(start, goal, room, steps, cost=dist, cuts=False, ahead=lambda c, r: 0, once=False):
+    """A mistake in it.
+
+    cost   of a step
+    cuts   corners: True, or "one" if one of the two cells has to be free
+    ahead  the estimate, of the columns and rows to the goal
+    once   the first length that is found for a cell is kept
+    """
     length, before, waiting = {start: 0}, {start: None}, [(0, start)]
     while waiting:
-        so_far, cell = heappop(waiting)
+        cell = heappop(waiting)[1]
         if cell == goal:
             way = []
             while cell:
@@ -91,10 +137,19 @@ def search(start, goal, room, steps, cost=dist, cuts=False):
             new = cell[0] + c, cell[1] + r
             both = [(new[0], cell[1]) in room, (cell[0], new[1]) in room]
             round_it = all(both) if not cuts else any(both) or cuts is True
-            if new in room and round_it and so_far + cost(cell, new) < length.get(new, 1e9):
-                length[new], before[new] = so_far + cost(cell, new), cell
-                heappush(waiting, (length[new], new))
+            so_far = length[cell] + cost(cell, new)
+            better = new not in length if once else so_far < length.get(new, 1e9)
+            if new in room and round_it and better:
+                length[new], before[new] = so_far, cell
+                estimate = ahead(abs(new[0] - goal[0]), abs(new[1] - goal[1]))
+                heappush(waiting, (so_far + estimate, new))
     return []
+
+
+def fewest_steps(start, goal, room):
+    """As many cells as the route with the fewest steps has, whichever cells they are."""
+    found = search(start, goal, room, SIDES + CORNERS, cost=lambda a, b: 1)
+    return {"steps": len(found)}
 
 
 find_way = function(
@@ -102,6 +157,7 @@ find_way = function(
     reference,
     compare=as_short,
     cell_cm=10,
+    leaves=True,
     mistakes=[
         (
             "it cuts corners: a step to a corner needs room on both cells beside it",
@@ -119,11 +175,27 @@ find_way = function(
             2,
         ),
         (
-            "a step to a corner was counted as 1: it is the square root of 2, dist(cell, new)",
+            "these are the fewest steps, not the shortest: to a corner it is the square root of 2",
+            fewest_steps,
+            1,
+        ),
+        mistake(
+            "columns and rows were added up for the estimate, which makes it too long: "
+            "dist(new, goal) never is",
             lambda start, goal, room: search(
-                start, goal, room, SIDES + CORNERS, cost=lambda a, b: 1
+                start, goal, room, SIDES + CORNERS, ahead=lambda c, r: c + r
+            ),
+            0,
+            where=calls("abs"),
+        ),
+        mistake(
+            "each cell keeps the first length found for it: a shorter one that is found later "
+            "has to replace it",
+            lambda start, goal, room: search(
+                start, goal, room, SIDES + CORNERS, ahead=hypot, once=True
             ),
             1,
+            where=lacks(calls("abs")),
         ),
         (
             "it goes through cells without room: a step leads to a cell of room",
@@ -151,6 +223,11 @@ find_way = function(
             0,
         ),
         (
+            "there is a shorter route: a step to a side counts 1, to a corner the square root of 2",
+            lambda start, goal, room: {"longer than": reference(start, goal, room)},
+            1,
+        ),
+        (
             "that is how long the route is: the cells are wanted",
             lambda start, goal, room: (
                 sum(dist(a, b) for a, b in pairwise(reference(start, goal, room)))
@@ -172,6 +249,14 @@ def some_room(task, walls):
         column, row = task.random.randrange(20), task.random.randrange(20)
         room -= {(column, row + i) for i in range(long)}
     return room
+
+
+def drawn_rooms(text):
+    """The rooms that stand side by side in a drawing: (start, goal, room) of each."""
+    for rows in zip(*(line.split() for line in reversed(text.split("\n")) if line), strict=True):
+        at = {(c, r): sign for r, row in enumerate(rows) for c, sign in enumerate(row)}
+        (start,), (goal,) = ([cell for cell in at if at[cell] == sign] for sign in "SG")
+        yield start, goal, {cell for cell in at if at[cell] != "#"}
 
 
 @check("Straight and slanting", hint=0)
@@ -206,6 +291,15 @@ def many(task):
         room = some_room(task, walls)
         start, goal = task.random.sample(sorted(room), 2)
         task.call(find_way, start, goal, room)
+
+
+@check("The shortest, not only a short one", hint=1)
+def shortest(task):
+    for start, goal, room in chain(drawn_rooms(SMALL_ROOMS), drawn_rooms(LARGER_ROOMS)):
+        task.call(find_way, start, goal, room)
+    for share in (0.7, 0.8, 0.9):
+        room = set(task.random.sample(sorted(CELLS), round(share * len(CELLS))))
+        task.call(find_way, *task.random.sample(sorted(room), 2), room)
 
 
 @check("Every step is allowed", hint=2)

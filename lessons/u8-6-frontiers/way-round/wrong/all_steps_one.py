@@ -1,4 +1,4 @@
-# earns: a step to a corner was counted as 1
+# earns: these are the fewest steps
 # A way round
 #
 # The red dot can't be reached in a straight line.
