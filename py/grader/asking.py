@@ -40,6 +40,8 @@ class Call:
         }
         if function.changes is not None:
             request["changes"] = function.parameters.index(function.changes)
+        if function.leaves:
+            request["leaves"] = True
         return request
 
     def __str__(self) -> str:

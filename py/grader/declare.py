@@ -98,6 +98,7 @@ class Function:
     changes: str | None
     cell_cm: float | None
     grid_cm: float | None
+    leaves: bool
 
     @property
     def signature(self) -> str:
@@ -166,6 +167,7 @@ def function(
     changes: str | None = None,
     cell_cm: float | None = None,
     grid_cm: float | None = None,
+    leaves: bool = False,
 ) -> Function:
     """Declare a function that the learner writes.
 
@@ -177,14 +179,17 @@ def function(
     changes    name of a parameter: that argument, as it is after the call, is the answer
     cell_cm    the answers are cells of this side [cm]: wrong ones are outlined on the mat
     grid_cm    the answers are grids, a number for each cell of this side [cm]: likewise
+    leaves     whether its arguments have to be after the call as they were; the statement says so
     """
     name, parameters = _parsed(signature)
     if changes is not None and changes not in parameters:
         raise AuthorError(f"function({signature!r}): it has no parameter {changes!r} to change")
+    if changes is not None and leaves:
+        raise AuthorError(f"function({signature!r}) can't both change and leave its arguments")
     if not callable(reference):
         raise AuthorError(f"function({signature!r}) wants a function that gives what is right")
     listed = mistakes_of(mistakes, f"function({signature!r})")
-    return Function(name, parameters, reference, compare, listed, changes, cell_cm, grid_cm)
+    return Function(name, parameters, reference, compare, listed, changes, cell_cm, grid_cm, leaves)
 
 
 def scoring(how: str, points: Callable[..., float], *, of: float = 100) -> Scoring:

@@ -77,6 +77,7 @@ def _judge_call(
         )
     value = _value(answer)
     if call.function.compare(right, value):
+        _must_have_left_its_arguments(call, answer)
         return
     expected, got, cells = _apart(call.function, right, value)
     mistake = explaining(call.function.mistakes, every, text)
@@ -87,6 +88,37 @@ def _judge_call(
         likely=mistake.text if mistake else usual_slip(wrong),
         hint=mistake.hint if mistake else None,
         where=where_cells(call.function.cell_cm or call.function.grid_cm, cells, world),
+    )
+
+
+def _must_have_left_its_arguments(call: Call, answer: dict[str, Any]) -> None:
+    """Refuse a right answer that was had by changing what the function was given."""
+    for number, encoded in answer.get("altered", []):
+        name, before = call.function.parameters[number], call.arguments[number]
+        now = _value({"value": encoded})
+        kind = type(before).__name__
+        copied = f"{kind}({name})" if type(now) is type(before) and kind in _COPIED else "a copy"
+        inner = isinstance(before, list) and isinstance(now, list) and _changed_inside(before, now)
+        raise CheckFailed(
+            f"after {call}, {name} is as it was: {shown(before)}",
+            shown(now),
+            likely=(
+                f"{name} has to stay as it was, but what is in it was changed: copy each part first"
+                if inner
+                else f"{name} has to stay as it was, but your function changes it: "
+                f"work on a copy, {copied}"
+            ),
+        )
+
+
+_COPIED = ("list", "set", "dict")
+
+
+def _changed_inside(before: list[Any], now: list[Any]) -> bool:
+    """Whether it is the parts of a list that were changed, not the list."""
+    return len(before) == len(now) and any(
+        isinstance(old, list | set | dict) and new not in before
+        for old, new in zip(before, now, strict=True)
     )
 
 

@@ -15,7 +15,8 @@ An answer is one of
 
 A value comes with "printed": true if the call has printed something, None with "left on", the line
 on which the function was left, and what a function leaves in the argument that it was to change
-with "returned" if it has returned something as well.
+with "returned" if it has returned something as well. Where a call has to leave its arguments as
+they were, "altered" has those that it did not leave: [[number, what it is now], …].
 """
 
 from __future__ import annotations
@@ -106,7 +107,12 @@ class Caller:
         refused = _refused_parameters(function, arguments)
         if refused is not None:
             return {"parameters": refused}
-        return self._called(function, arguments, call.get("changes"))
+        answer = self._called(function, arguments, call.get("changes"))
+        if call.get("leaves") and "value" in answer:
+            now = [encoded(each) for each in arguments]
+            altered = [[n, each] for n, each in enumerate(now) if not _same(each, call, n)]
+            return {**answer, "altered": altered} if altered else answer
+        return answer
 
     def _functions(self, names: dict[str, Any]) -> list[str]:
         return [
@@ -193,6 +199,11 @@ def _answer_of(returned: Any, arguments: list[Any], changes: int | None) -> dict
         return {"value": encoded(returned)}
     answer = {"value": encoded(arguments[changes])}
     return answer if returned is None else {**answer, "returned": encoded(returned)}
+
+
+def _same(now: Any, call: dict[str, Any], number: int) -> bool:
+    """Whether an argument is as it was; the order in which a set gives its parts is nothing."""
+    return bool(decoded(now) == decoded(call["arguments"][number]))
 
 
 def _refused_parameters(function: Callable[..., Any], arguments: list[Any]) -> str | None:

@@ -30,6 +30,7 @@ fuse = function(
     "fuse(readings)",
     fused,
     compare=near(0.0001),
+    leaves=True,
     mistakes=[
         mistake(
             "that is the average of the readings: ten readings of 0.7 should leave no doubt, and "

@@ -3,7 +3,7 @@
 from itertools import pairwise
 from math import dist
 
-from grader import calls, check, function, mistake
+from grader import calls, check, function, lacks, mistake, reads
 from mapping.planning import choose_region
 
 
@@ -47,6 +47,7 @@ nearest_cell = function(
     "nearest_cell(here, region)",
     nearest,
     cell_cm=10,
+    leaves=True,
     mistakes=[
         (
             "the region's farthest cell was chosen",
@@ -75,10 +76,17 @@ choose = function(
     "choose(here, regions, gain)",
     chosen,
     cell_cm=10,
+    leaves=True,
     mistakes=[
-        (
+        mistake(
             "the size was left out: a region is worth gain times its cells, less the distance",
             lambda here, regions, gain: chosen(here, regions, 0),
+            1,
+            where=lacks(reads("gain")),
+        ),
+        (
+            "the distance is counted in cells, not in cm: don't multiply it by CELL",
+            by_worth(lambda size, apart, gain: gain * size - 10 * apart),
             1,
         ),
         (

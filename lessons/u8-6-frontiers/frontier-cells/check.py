@@ -47,6 +47,7 @@ find_frontier = function(
     "find_frontier(free, occupied)",
     reference,
     cell_cm=10,
+    leaves=True,
     mistakes=[
         (
             "off the mat there is nothing to explore: only cells of the mat can be unknown",
@@ -118,6 +119,7 @@ ON_A_SMALL_MAT = function(
     "find_frontier(free, occupied)",
     lambda free, occupied: beside(free, SMALL_MAT - free - occupied),
     cell_cm=20,
+    leaves=True,
     mistakes=[
         (
             "20 was typed in: ACROSS says how many cells lie side by side",

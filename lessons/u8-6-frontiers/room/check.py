@@ -43,7 +43,9 @@ def near_enough(far, cell=5):
 
 
 def of(spare, mistakes, cell=5):
-    return function("find_room(free)", reference(spare, cell), cell_cm=cell, mistakes=mistakes)
+    return function(
+        "find_room(free)", reference(spare, cell), cell_cm=cell, mistakes=mistakes, leaves=True
+    )
 
 
 find_room = of(

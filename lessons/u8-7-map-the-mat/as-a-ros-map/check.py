@@ -30,6 +30,7 @@ def rows(
 image_rows = function(
     "image_rows(log_odds, across)",
     rows(),
+    leaves=True,
     compare=near(0),  # an array's greys may be floats
     mistakes=[
         (
@@ -53,6 +54,12 @@ image_rows = function(
             0,
         ),
         ("unknown cells are drawn as free: there are three states", rows(unknown=FREE), 0),
+        (
+            "every row is one and the same list: `[row] * n` has one row n times, so make a new "
+            "list for each row",
+            lambda log_odds, across: [rows()(log_odds, across)[0]] * across,
+            1,
+        ),
         (
             "0.196 is for the greys in the file: the map itself has a cell free below 0.35",
             rows(free_p=FREE_THRESH),

@@ -1,4 +1,4 @@
-# earns: regions was sorted itself
+# earns: regions has to stay as it was
 # Large enough
 #
 # Most of the small regions are noise at a wall. Your

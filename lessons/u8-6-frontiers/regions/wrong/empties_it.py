@@ -1,4 +1,4 @@
-# earns: cells was emptied
+# earns: cells has to stay as it was
 # Regions
 #
 # Your function puts the frontier cells into groups that
