@@ -196,9 +196,9 @@ line_of_cells = function(
             turned,
             0,
         ),
-        (BACKWARDS, lambda first, last: bresenham(first, last)[::-1], 2),
-        (BACKWARDS, lambda first, last: sorted(bresenham(first, last)), 2),
-        (BACKWARDS, lambda first, last: bresenham(*sorted([first, last])), 2),
+        (BACKWARDS, lambda first, last: bresenham(first, last)[::-1], 0),
+        (BACKWARDS, lambda first, last: sorted(bresenham(first, last)), 0),
+        (BACKWARDS, lambda first, last: bresenham(*sorted([first, last])), 0),
     ],
 )
 

@@ -1,9 +1,6 @@
-"""straight_way(start, goal, walls): whether a robot can go straight without touching anything.
+"""straight_way(start, goal, walls): whether a robot can go straight without touching anything."""
 
-Whether the start itself counts is not asked: no line is blocked within 1 cm of its start alone.
-"""
-
-from math import dist, floor
+from math import dist, floor, hypot
 
 from grader import check, function, mistake, number
 from mapping.frontiers import gap_to_walls
@@ -31,6 +28,11 @@ def every_cm(start, goal):
     return along(start, goal, floor(dist(start, goal)) + 1)
 
 
+def gap_to_square(point, cell):
+    """How far a point is from a cell of 5 cm."""
+    return hypot(*(max(5 * c - x, 0, x - 5 * c - 5) for x, c in zip(point, cell, strict=True)))
+
+
 def in_steps(count):
     """Points that are too far apart on a long line."""
     return lambda start, goal, walls: all(
@@ -44,6 +46,7 @@ def of(spare, mistakes, cell=5):
     return function(
         "straight_way(start, goal, walls)",
         lambda start, goal, walls: clear(start, goal, walls, spare, cell),
+        leaves=True,
         mistakes=mistakes,
     )
 
@@ -62,6 +65,22 @@ straight_way = of(
             "only the goal is looked at: all points on the line to it must be clear too",
             lambda start, goal, walls: clear(goal, goal, walls),
             1,
+        ),
+        (
+            "the start is left out: the robot needs SPARE cm to every wall there too",
+            lambda start, goal, walls: clear(
+                beyond(start, goal, 1 / (floor(dist(start, goal)) + 1)), goal, walls
+            ),
+            1,
+        ),
+        (
+            "walls were taken for squares: a wall cell counts as a disc, CELL / 2 round its middle",
+            lambda start, goal, walls: all(
+                gap_to_square(point, cell) >= SPARE
+                for point in every_cm(start, goal)
+                for cell in walls
+            ),
+            0,
         ),
         (
             "one clear point is not enough: every point of the line must be clear of every wall",
@@ -184,6 +203,21 @@ def at_the_goal(task):
     task.call(straight_way, (93.3, 102.5), (93.9, 102.5), {(20, 20)}, gives=True)
 
 
+@check("A wall just before the start", hint=1)
+def at_the_start(task):
+    # The first point is 8.4 cm from the wall's middle, and then 8.6 cm: only 8.5 cm are wanted.
+    task.call(straight_way, (102.5, 94.1), (102.5, 60.3), {(20, 20)}, gives=False)
+    task.call(straight_way, (102.5, 93.9), (102.5, 60.3), {(20, 20)}, gives=True)
+
+
+@check("Points at most 1 cm apart, and walls that are discs", hint=1)
+def steps_and_discs(task):
+    # Both ends are far enough away, the point between them is not.
+    task.call(straight_way, (101.8, 94.021), (103.2, 94.021), {(20, 20)}, gives=False)
+    # Past the corner of a cell: 8.98 cm from its middle.
+    task.call(straight_way, (76.1, 116.2), (116.2, 76.1), {(20, 20)}, gives=True)
+
+
 @check("Through a doorway", hint=2)
 def doorway(task):
     walls = {(column, 24) for column in range(40) if not 18 <= column < 22}
@@ -213,10 +247,7 @@ def some_line(task, spare):
             for _ in range(2)
         )
         gap = gap_to_walls(middles(walls), 5, start, goal)
-        later = gap_to_walls(
-            middles(walls), 5, beyond(start, goal, 1 / max(dist(start, goal), 2)), goal
-        )
-        if abs(gap - spare) > 0.1 and (gap < spare) == (later < spare) and dist(start, goal) > 10:
+        if abs(gap - spare) > 0.1 and dist(start, goal) > 10:
             return start, goal, walls
 
 
