@@ -26,7 +26,10 @@ function inRuns(ways: readonly WayOut[]): WayOut[][] {
 /** A program that tries one way after the other, each with the modules as they were before. */
 function severalOf(ways: readonly WayOut[]): string {
   const sources = JSON.stringify(ways.map(({ program }) => program));
+  // The page sends NumPy to a program that imports it by name, and looks into no text for that.
+  const numpy = sources.includes("import numpy") ? "if False: import numpy" : "";
   return `import json, sys
+${numpy}
 loaded = dict(sys.modules)
 finders = list(sys.meta_path)
 for source in json.loads(${JSON.stringify(sources)}):
@@ -84,7 +87,7 @@ test("no way out of the sandbox is open", async ({ app, page }) => {
       const name = ways[index]?.name;
       if (text.includes("OPEN")) open.push(`${name}: ${text}`);
       // The attempt must have been an attempt: a slip in the test's own program proves nothing.
-      expect(text, name).not.toMatch(/SyntaxError|IndentationError/);
+      expect(text, name).not.toMatch(/SyntaxError|IndentationError|No module named 'numpy'/);
     }
   }
   expect(open).toEqual([]);

@@ -44,7 +44,7 @@ test.beforeAll(async () => {
 });
 
 test.afterAll(() => {
-  for (const folder of folders) rmSync(folder, { recursive: true });
+  for (const folder of folders) rmSync(folder, { recursive: true, force: true });
 });
 
 /** A course of one lesson, "counting"; files beside the usual ones, or in their place. */

@@ -104,7 +104,11 @@ def test_a_world_of_the_lessons_own_is_used() -> None:
     [
         ({"answers": None}, "garbled"),
         ({"answers": [7, 7]}, "garbled"),
-        ({"answers": [{"answers": [7]}] * 2}, "ended before it gave them"),
+        ({"answers": [{"answers": [7]}] * 2}, "garbled"),
+        (
+            {"answers": [{"answers": [], "status": "stopped", "message": ""}] * 2},
+            "ended before it gave them",
+        ),
         ({"answers": [{"answers": [{"value": {"no": 1}}] * 2}] * 2}, "garbled"),
         ({"answers": [{"answers": [{}] * 2}] * 2}, "garbled"),
         ({"answers": [{"status": "finished", "message": "It left."}] * 2}, "It left."),
