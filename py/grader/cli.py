@@ -4,7 +4,7 @@ May import: the rest of `grader`.
 
     python -m grader mark LESSON TASK FILE [--part] [--trusted] [--json]
     python -m grader mark-all FOLDER [--processes N | --dask ADDRESS] [--trusted]
-    python -m grader check [LESSON …] [--seeds N]
+    python -m grader check [LESSON …] [--seeds N] [--one-in N]
     python -m grader mutants [LESSON [TASK]] [--sample N] [--list]
 
 `mark` and `mark-all` run a file in a sandbox, where it can reach nothing of this machine, unless
@@ -89,6 +89,9 @@ def _parser() -> argparse.ArgumentParser:
         "--seeds", type=_count, default=SEEDS, help=f"noises a solution must pass on ({SEEDS})"
     )
     check.add_argument(
+        "--one-in", type=_count, default=1, help="mark one in so many right and wrong programs (1)"
+    )
+    check.add_argument(
         "--processes", type=_count, default=2, help="markings done at the same time (2)"
     )
     mutants = commands.add_parser("mutants", help="change solutions a little: each must fail")
@@ -159,7 +162,11 @@ _COLUMNS = (
 def _check(options: argparse.Namespace) -> int:
     began = time.perf_counter()
     reports = check_course(
-        options.lessons, options.lesson, seeds=options.seeds, processes=options.processes
+        options.lessons,
+        options.lesson,
+        seeds=options.seeds,
+        one_in=options.one_in,
+        processes=options.processes,
     )
     print(f"{'lesson':34}" + "".join(f"{name:>16}" for name in _COLUMNS))
     for report in reports:

@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from typing import Any
+from zlib import crc32
 
 from grader.lesson import CourseError, Fault, Lesson, TaskFolder, course, lesson_at
 from grader.marking import Performer, mark_program
@@ -80,9 +81,17 @@ class _Found:
 
 
 def check_course(
-    folder: Path, only: Sequence[str] = (), *, seeds: int = SEEDS, processes: int = 2
+    folder: Path,
+    only: Sequence[str] = (),
+    *,
+    seeds: int = SEEDS,
+    one_in: int = 1,
+    processes: int = 2,
 ) -> list[Report]:
     """Check the lessons of a course, or those named; one report each, in the course's order.
+
+    With `one_in` above 1, only that share of the right and wrong programs is marked, always the
+    same ones; starters and solutions all are.
 
     Faults of the course.json itself, and folders that it does not name, are in a report of
     their own at the beginning. A folder whose name begins with _ is no lesson.
@@ -102,7 +111,7 @@ def check_course(
     by_slug = {
         each.slug: Report(each.slug, len(each.tasks), faults=each.faults) for each in lessons
     }
-    parts = [part for lesson in lessons for part in _parts(lesson, seeds)]
+    parts = [part for lesson in lessons for part in _parts(lesson, seeds, one_in)]
     with ProcessPoolExecutor(processes) as pool:
         for found in pool.map(_done, parts):
             report = by_slug[found.slug]
@@ -120,17 +129,26 @@ def _has_tasks(path: Path) -> bool:
     return any(path.glob("*/check.py"))
 
 
-def _parts(lesson: Lesson, seeds: int) -> Iterator[_Part]:
+def _parts(lesson: Lesson, seeds: int, one_in: int) -> Iterator[_Part]:
     for task in lesson.tasks:
         yield _Part(lesson.path, task.name, "starter", task.starter, (0,))
         shifts = [_SHIFT * number for number in range(seeds)]
-        passing = [("solution", task.solution), *(("right", path) for path in task.right)]
+        right = [path for path in task.right if _is_chosen(path, one_in)]
+        passing = [("solution", task.solution), *(("right", path) for path in right)]
         for kind, program in passing:
             for first in range(0, seeds, _AT_ONCE):
                 some = tuple(shifts[first : first + _AT_ONCE])
                 yield _Part(lesson.path, task.name, kind, program, some)
         for attempt in task.wrong:
+            if not _is_chosen(attempt.path, one_in):
+                continue
             yield _Part(lesson.path, task.name, "wrong", attempt.path, (0,), attempt.earns)
+
+
+def _is_chosen(program: Path, one_in: int) -> bool:
+    """Whether a program is in the share; by its name and its folder's, so that it stays in it."""
+    name = f"{program.parent.parent.name}/{program.parent.name}/{program.name}"
+    return crc32(name.encode()) % one_in == 0
 
 
 # -- in a process of its own -----------------------------------------------------

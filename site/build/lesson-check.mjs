@@ -1,6 +1,7 @@
 /**
- * npm run lesson:check [-- SLUG… --seeds N]: the standing check of these lessons, or of the whole
- * course; a solution must pass with N noises (20).
+ * npm run lesson:check [-- SLUG… --seeds N --one-in M]: the standing check of these lessons, or of the
+ * whole course; a solution must pass with N noises (20), and one in M of the right and wrong programs
+ * is marked (all).
  * First the tasks, in Python: starters fail, solutions pass, wrong attempts earn their message. Then
  * the pages: every directive, figure and link. Ends with a fault if either finds one.
  */
@@ -17,9 +18,9 @@ ensureVenv();
 
 const { values, positionals: slugs } = parseArgs({
   allowPositionals: true,
-  options: { seeds: { type: "string" } },
+  options: { seeds: { type: "string" }, "one-in": { type: "string" } },
 });
-const seeds = values.seeds === undefined ? [] : ["--seeds", values.seeds];
+const options = Object.entries(values).flatMap(([name, value]) => [`--${name}`, value]);
 for (const slug of slugs) {
   if (!existsSync(join(ROOT, "lessons", slug, "lesson.json"))) {
     fail(`There is no lesson "${slug}".`, "name a folder of lessons/ that has a lesson.json.");
@@ -27,7 +28,7 @@ for (const slug of slugs) {
 }
 const { PYTHONPATH } = process.env;
 const path = [join(ROOT, "py"), ...(PYTHONPATH ? [PYTHONPATH] : [])].join(delimiter);
-const tasks = check(venvTool("python"), ["-m", "grader", "check", ...slugs, ...seeds], {
+const tasks = check(venvTool("python"), ["-m", "grader", "check", ...slugs, ...options], {
   PYTHONPATH: path,
 });
 

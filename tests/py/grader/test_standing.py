@@ -160,6 +160,18 @@ def test_one_lesson_can_be_checked_alone(folder: Path) -> None:
     assert (report.faults, report.wrong) == ([], 8)
 
 
+@pytest.mark.usefixtures("_here")
+def test_a_share_of_the_programs_is_always_the_same_one(folder: Path) -> None:
+    def marked(one_in: int) -> tuple[int, int, int]:
+        (report,) = check_course(folder, ["one-step"], seeds=1, one_in=one_in)
+        assert (report.faults, report.starters, report.solutions) == ([], 2, 2)
+        return report.right, report.wrong, report.checks
+
+    everything, half = marked(1), marked(2)
+    assert half == marked(2)
+    assert 0 < half[0] + half[1] < everything[0] + everything[1]
+
+
 # -- mark ------------------------------------------------------------------------
 
 
