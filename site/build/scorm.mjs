@@ -57,7 +57,10 @@ export async function scormFiles(slug, site) {
  * @param {string} site
  */
 function neededBy(pages, site) {
-  const there = filesBelow(site, (path) => !path.endsWith(".html") && !LEFT_OUT.test(path));
+  // The frame that workers are made in is no page of the site's.
+  const isPage = (/** @type {string} */ path) =>
+    path.endsWith(".html") && !path.startsWith("assets/");
+  const there = filesBelow(site, (path) => !isPage(path) && !LEFT_OUT.test(path));
   /** @type {Set<string>} */
   const needed = new Set();
   const waiting = [...pages];

@@ -42,6 +42,7 @@ const NO_MEMORY =
 /** Why an interpreter could not be started, in words where there are some. */
 export function inWords(error: unknown): string {
   const text = error instanceof Error ? error.message : String(error);
-  if (error instanceof DOMException && error.name === "SecurityError") return NO_WORKERS;
+  // It may come from the frame that workers are made in, whose DOMException is another class.
+  if (Object(error).name === "SecurityError") return NO_WORKERS;
   return /out of memory|could not allocate|allocation failed/i.test(text) ? NO_MEMORY : text;
 }
