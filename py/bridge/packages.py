@@ -8,15 +8,13 @@ from typing import Any
 
 __all__ = ["found_anew", "unpack"]
 
-SITE_PACKAGES = "/lib/python3.14/site-packages"
 
-
-def unpack(archive: Any) -> None:
-    """Unpack a wheel, given as a Uint8Array."""
+def unpack(archive: Any, folder: str) -> None:
+    """Unpack a wheel, given as a Uint8Array, into a folder that Python imports from."""
     import zipfile  # it is in the standard library's archive, not in the snapshot
 
     with zipfile.ZipFile(io.BytesIO(archive.to_bytes())) as wheel:
-        wheel.extractall(SITE_PACKAGES)
+        wheel.extractall(folder)
     found_anew()
 
 

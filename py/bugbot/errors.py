@@ -27,7 +27,7 @@ from reprlib import Repr
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
 __all__ = [
     "BugbotError",
@@ -42,7 +42,9 @@ __all__ = [
     "WrongValueError",
     "counted",
     "got",
+    "listed",
     "nearest",
+    "times",
     "with_article",
 ]
 
@@ -128,6 +130,24 @@ def counted(count: int, one: str, many: str | None = None) -> str:
     ('1 cell', '1,200 cells', '0 passes')
     """
     return f"{count:,} {one if count == 1 else many or one + 's'}"
+
+
+def times(count: int) -> str:
+    """How often, in a word where there is one.
+
+    >>> times(1), times(2), times(3)
+    ('once', 'twice', '3 times')
+    """
+    return {1: "once", 2: "twice"}.get(count, f"{count} times")
+
+
+def listed(texts: Sequence[str]) -> str:
+    """Texts one after the other, as in a sentence.
+
+    >>> listed(["x"]), listed(["x", "y"]), listed(["x", "y", "z"])
+    ('x', 'x and y', 'x, y and z')
+    """
+    return " and ".join([", ".join(texts[:-1]), texts[-1]] if len(texts) > 1 else texts)
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:

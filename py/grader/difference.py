@@ -10,7 +10,7 @@ from collections.abc import Callable, Hashable, Sequence
 from functools import partial
 from typing import Any
 
-from bugbot.errors import counted
+from bugbot.errors import counted, listed, times
 from grader.compare import Compare, InAnyOrder, unordered
 from performer.values import shown
 
@@ -144,7 +144,7 @@ def _what_is_missing(
     if extra:
         clauses.append(f"{_named(extra, verb=False)} should not be there")
     clauses += [
-        f"{shown(parts[each])} is there {_times(there[each])}, not {_times(wanted[each])}"
+        f"{shown(parts[each])} is there {times(there[each])}, not {times(wanted[each])}"
         for each in list(wanted)
         if each in there and wanted[each] != there[each]
     ][:_MOST_NAMED]
@@ -159,14 +159,10 @@ def _named(parts: Sequence[Any], *, verb: bool = True) -> str:
     left_out = len(texts) - _MOST_NAMED
     if left_out > 1:
         texts = [*texts[:_MOST_NAMED], f"{left_out} more"]
-    said = " and ".join([", ".join(texts[:-1]), texts[-1]] if len(texts) > 1 else texts)
+    said = listed(texts)
     if not verb:
         return said
     return f"{said} {'is' if len(parts) == 1 else 'are'}"
-
-
-def _times(count: int) -> str:
-    return {1: "once", 2: "twice"}.get(count, f"{count} times")
 
 
 def _texts_apart(expected: str, got: str) -> tuple[str, str]:

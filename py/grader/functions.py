@@ -10,6 +10,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from bugbot.errors import listed, times
 from bugbot.run.slips.newer import PAGE
 from grader.asking import NOT_SAID, Answered, Call, Look, Step
 from grader.compare import near
@@ -22,6 +23,14 @@ from grader.text import Source, Text
 from performer.values import MalformedError, decoded, shown
 
 __all__ = ["fault_text", "judge_steps"]
+
+_EXACT_BUT_FOR_SUMS = near(1e-6)
+
+_COPIED = ("list", "set", "dict")
+"""Kinds whose name makes a copy when it is called."""
+
+_MOST_CALLS = 3
+"""So many different calls are named before a variable; of more, only the last."""
 
 
 def fault_text(fault: dict[str, Any]) -> str:
@@ -109,9 +118,6 @@ def _must_have_left_its_arguments(call: Call, answer: dict[str, Any]) -> None:
                 f"work on a copy, {copied}"
             ),
         )
-
-
-_COPIED = ("list", "set", "dict")
 
 
 def _changed_inside(before: list[Any], now: list[Any]) -> bool:
@@ -230,16 +236,6 @@ def _leaving(mistakes: Sequence[Mistake], value: Any, text: Text) -> Mistake | N
     return next((each for each in fitting if _EXACT_BUT_FOR_SUMS(each.slip(), value)), None)
 
 
-_EXACT_BUT_FOR_SUMS = near(1e-6)
-
-
-_MOST_CALLS = 3
-
-
-def _times(count: int) -> str:
-    return "twice" if count == 2 else f"{count} times"
-
-
 def _after(made: Sequence[Call]) -> str:
     """The calls that a variable's value comes from, for whoever wants to repeat them."""
     counts = Counter(map(str, made))
@@ -247,7 +243,5 @@ def _after(made: Sequence[Call]) -> str:
         return ""
     if len(counts) > _MOST_CALLS:
         return f"after {len(made)} calls, the last of them {made[-1]}, "
-    told = [f"{call} ({_times(times)})" if times > 1 else call for call, times in counts.items()]
-    if len(told) > 1:
-        told = [", ".join(told[:-1]), told[-1]]
-    return f"after {' and '.join(told)}, "
+    told = [f"{call} ({times(count)})" if count > 1 else call for call, count in counts.items()]
+    return f"after {listed(told)}, "

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from bugbot.errors import nearest
+from bugbot.errors import listed, nearest
 
 __all__ = ["perhaps_meant", "what_there_is"]
 
@@ -23,7 +23,7 @@ def what_there_is(one: str, many: str, names: Iterable[str]) -> str:
         return f"there is no {one}"
     if len(quoted) == 1:
         return f"the only {one} is {quoted[0]}"
-    return f"the {many} are {', '.join(quoted[:-1])} and {quoted[-1]}"
+    return f"the {many} are {listed(quoted)}"
 
 
 def perhaps_meant(one: str, name: str, names: Iterable[str]) -> str | None:

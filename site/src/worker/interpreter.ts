@@ -134,7 +134,7 @@ export function lookAtTheClock(pyodide: PyodideAPI): void {
 
 /** `bridge.packages`, as far as it is called from here. */
 interface Packages {
-  unpack(archive: Uint8Array): void;
+  unpack(archive: Uint8Array, folder: string): void;
   found_anew(): void;
 }
 
@@ -170,7 +170,7 @@ export function seal(pyodide: PyodideAPI, lastWords: LastWords): Sealed {
       packages.found_anew();
     },
     installWheel(bytes) {
-      packages.unpack(new Uint8Array(bytes));
+      packages.unpack(new Uint8Array(bytes), SITE_PACKAGES);
       for (const library of librariesBelow(pyodide, SITE_PACKAGES)) wasmGate.expect(library);
     },
     left,

@@ -1,6 +1,6 @@
 """Wrong numbers of arguments, in plain words.
 
-May import: the standard library, `bugbot.api`, the rest of `bugbot.run.slips`.
+May import: the standard library, `bugbot.api`, `bugbot.errors`, the rest of `bugbot.run.slips`.
 
 Python says "drive() missing 2 required positional arguments: 'right' and 'turn'".
 """
@@ -12,6 +12,7 @@ from collections.abc import Callable
 from inspect import signature
 
 from bugbot import api
+from bugbot.errors import listed
 from bugbot.run.slips.case import CALLS, Case
 
 __all__ = ["plain_arguments"]
@@ -34,7 +35,7 @@ def plain_arguments(case: Case) -> str | None:
     quoted = re.findall(r"'(\w+)'", complaint)
     if complaint.startswith("missing"):
         verb = "is" if len(quoted) == 1 else "are"
-        return f"{call} wants {_count(len(needed))}; {_and(quoted)} {verb} missing"
+        return f"{call} wants {_count(len(needed))}; {listed(quoted)} {verb} missing"
     if "unexpected keyword" in complaint:
         return f"{call} has no argument called {quoted[0]}"
     if "multiple values" in complaint:
@@ -48,7 +49,3 @@ def _count(arguments: int) -> str:
     if arguments == 0:
         return "no arguments"
     return f"{arguments} argument{'s' if arguments > 1 else ''}"
-
-
-def _and(words: list[str]) -> str:
-    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
