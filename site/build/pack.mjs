@@ -45,7 +45,7 @@ export function packed(site) {
   return zip([{ path: `${FOLDER}/READ-ME.txt`, data: Buffer.from(READ_ME) }, ...files]);
 }
 
-if (process.argv[1] === new URL(import.meta.url).pathname) {
+if (process.argv[1] === import.meta.filename) {
   await build();
   const { version } = JSON.parse(readFileSync(join(ROOT, "package.json"), "utf8"));
   const name = `${FOLDER}-${version}.zip`;

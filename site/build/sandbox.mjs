@@ -99,7 +99,7 @@ export function options(folder) {
   ];
 }
 
-if (process.argv[1] === new URL(import.meta.url).pathname) {
+if (process.argv[1] === import.meta.filename) {
   try {
     console.log(JSON.stringify(await prepareSandbox()));
   } catch (error) {

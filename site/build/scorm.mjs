@@ -168,7 +168,7 @@ async function main() {
   console.log(`${out}: ${files.length} files, ${(archive.length / 1e6).toFixed(1)} MB`);
 }
 
-if (process.argv[1] === new URL(import.meta.url).pathname) {
+if (process.argv[1] === import.meta.filename) {
   try {
     await main();
   } catch (error) {

@@ -1,6 +1,7 @@
 /** npm start: set up, build, and serve the built site on http://127.0.0.1:4173 (PORT changes it). */
+import { join } from "node:path";
 import { build } from "./build.mjs";
-import { messageOf } from "./files.mjs";
+import { messageOf, ROOT } from "./files.mjs";
 import { fail } from "./install.mjs";
 
 const port = Number(process.env.PORT ?? 4173);
@@ -11,7 +12,7 @@ await build();
 const { preview } = await import("vite");
 try {
   await preview({
-    configFile: new URL("../../vite.config.js", import.meta.url).pathname,
+    configFile: join(ROOT, "vite.config.js"),
     preview: { port },
   });
 } catch (error) {
