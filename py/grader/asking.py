@@ -65,7 +65,11 @@ class Call:
         if changed is None:
             return f"{self} gives {expected}"
         verb = "is" if whole else "has"
-        return f"{self._conditions}after {self._call}, {changed} {verb} {expected}"
+        return self.after(f"{changed} {verb} {expected}")
+
+    def after(self, holds: str) -> str:
+        """What holds after the call, in words."""
+        return f"{self._conditions}after {self._call}, {holds}"
 
     def answer_of(self, work: Any) -> Any:
         """What another function, the reference or a slip, answers to the same call."""

@@ -7,7 +7,15 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["AuthorError", "CheckFailed", "NeedsJob", "NotRun", "ProgramFailed", "ShowingFailed"]
+__all__ = [
+    "ArgumentChanged",
+    "AuthorError",
+    "CheckFailed",
+    "NeedsJob",
+    "NotRun",
+    "ProgramFailed",
+    "ShowingFailed",
+]
 
 
 class CheckFailed(Exception):  # noqa: N818 - a verdict, and no error
@@ -46,6 +54,10 @@ class CheckFailed(Exception):  # noqa: N818 - a verdict, and no error
             hint=self.hint if hint is None else hint,
             where=self.where,
         )
+
+
+class ArgumentChanged(CheckFailed):
+    """A call has changed what it was given: its cause says all, and no hint is about it."""
 
 
 class ProgramFailed(CheckFailed):

@@ -16,7 +16,7 @@ from grader.asking import NOT_SAID, Answered, Call, Look, Step
 from grader.compare import near
 from grader.declare import Function, Mistake
 from grader.difference import difference
-from grader.failures import CheckFailed, ProgramFailed
+from grader.failures import ArgumentChanged, CheckFailed, ProgramFailed
 from grader.places import cells_in, grid_difference, where_cells
 from grader.slips import Wrong, explaining, usual_slip
 from grader.text import Source, Text
@@ -108,8 +108,8 @@ def _must_have_left_its_arguments(call: Call, answer: dict[str, Any]) -> None:
         kind = type(before).__name__
         copied = f"{kind}({name})" if type(now) is type(before) and kind in _COPIED else "a copy"
         inner = isinstance(before, list) and isinstance(now, list) and _changed_inside(before, now)
-        raise CheckFailed(
-            f"after {call}, {name} is as it was: {shown(before)}",
+        raise ArgumentChanged(
+            call.after(f"{name} is as it was: {shown(before)}"),
             shown(now),
             likely=(
                 f"{name} has to stay as it was, but what is in it was changed: copy each part first"

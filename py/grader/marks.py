@@ -29,7 +29,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from grader.failures import CheckFailed, ProgramFailed
+from grader.failures import ArgumentChanged, CheckFailed, ProgramFailed
 
 __all__ = [
     "FAILED",
@@ -62,9 +62,10 @@ def entry(title: str, status: str) -> dict[str, Any]:
 def failed_entry(title: str, failure: CheckFailed, hint: int | None) -> dict[str, Any]:
     """A failed check in a mark; `hint` is the check's own, if the failure names none.
 
-    A program that does not even run is not helped by a hint about what it should compute.
+    A program that does not even run, or changes what it is given, is not helped by a hint about
+    what it should compute.
     """
-    if isinstance(failure, ProgramFailed):
+    if isinstance(failure, ProgramFailed | ArgumentChanged):
         hint = None
     return {
         **entry(title, FAILED),

@@ -36,6 +36,7 @@ gap = function(
     "gap(x, y, real)",
     gap_cm,
     compare=near(0.01, "cm"),
+    leaves=True,
     mistakes=[
         (
             "the walls round the mat are real too: the gap is never more than to the nearest edge",
@@ -74,6 +75,7 @@ wrong_percent = function(
     "wrong_percent(occupied, real)",
     percent_by(),
     compare=near(0.01, "%"),
+    leaves=True,
     mistakes=[
         (
             "a cell exactly one cell away is still right: wrong is more than CELL",
@@ -117,6 +119,7 @@ in_other_cells = function(
     "wrong_percent(occupied, real)",
     percent_by(lambda gap: gap > OTHER_CELL),
     compare=near(0.01, "%"),
+    leaves=True,
     mistakes=[
         mistake(
             "the size of a cell was typed in as a number: use CELL, because the check changes it",

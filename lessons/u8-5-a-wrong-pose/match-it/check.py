@@ -2,7 +2,7 @@
 
 from math import floor
 
-from grader import calls, check, function, mistake, near
+from grader import calls, check, function, lacks, mistake, near, reads
 from mapping.grid import Grid
 from mapping.mapper import Mapper
 from mapping.matching import Window, hits_of, likelihoods, place
@@ -44,6 +44,7 @@ fit = function(
     "fit(field, x, y, facing, hits)",
     fit_by(),
     compare=near(0.0001),
+    leaves=True,
     mistakes=[
         ("the mean is wanted: divide the sum by the number of hits", fit_by(mean=False), 0),
         (
@@ -143,6 +144,7 @@ match = function(
     "match(field, x, y, facing, hits)",
     reference,
     compare=fits_as_well(FIELD, HITS),
+    leaves=True,
     mistakes=[
         (
             "the guess comes back as it is: try the poses round it, and keep the best of them",
@@ -187,7 +189,36 @@ def field_with_far_poses():
 
 FAR_POSES = field_with_far_poses()
 match_near = function(
-    "match(field, x, y, facing, hits)", reference, compare=fits_as_well(FAR_POSES, ONE_HIT)
+    "match(field, x, y, facing, hits)",
+    reference,
+    compare=fits_as_well(FAR_POSES, ONE_HIT),
+    leaves=True,
+)
+
+NOTHING = [0.0] * 1600
+match_nothing = function(
+    "match(field, x, y, facing, hits)",
+    reference,
+    compare=fits_as_well(NOTHING, ONE_HIT),
+    leaves=True,
+)
+
+OTHER_TURNS, OTHER_SHIFTS = [0, -4, 4], [0, -5, 5]
+in_other_windows = function(
+    "match(field, x, y, facing, hits)",
+    match_by(OTHER_TURNS, OTHER_SHIFTS),
+    compare=fits_as_well(FIELD, HITS),
+    leaves=True,
+    mistakes=[
+        mistake(
+            f"the {what} to try were typed in: take those of {names}", slip, 1, where=lacks(read)
+        )
+        for what, names, slip, read in (
+            ("poses", "TURNS and SHIFTS", match_by(), reads("TURNS", "SHIFTS")),
+            ("headings", "TURNS", match_by(TURNS, OTHER_SHIFTS), reads("TURNS")),
+            ("places", "SHIFTS", match_by(OTHER_TURNS, SHIFTS), reads("SHIFTS")),
+        )
+    ],
 )
 
 
@@ -230,3 +261,12 @@ def shifted(task):
 @check("A better pose, too far off to be tried", hint=2)
 def too_far(task):
     task.call(match_near, FAR_POSES, *GUESS, ONE_HIT)
+
+
+@check("Where nothing fits, and in other windows", hint=1)
+def other_windows(task):
+    task.call(match_nothing, NOTHING, *GUESS, ONE_HIT)
+    task.set("TURNS", OTHER_TURNS)
+    task.set("SHIFTS", OTHER_SHIFTS)
+    for dx, dy, off in ((5, -5, 4), (-5, 0, -4)):
+        task.call(in_other_windows, FIELD, TRUE[0] + dx, TRUE[1] + dy, TRUE[2] + off, HITS)

@@ -51,6 +51,7 @@ wall_direction = function(
     "wall_direction(looks)",
     line_by(),
     compare=same_line,
+    leaves=True,
     mistakes=[
         mistake(
             "half of the angle that atan2() gives is the direction",
@@ -101,6 +102,7 @@ with_other_far = function(
     "wall_direction(looks)",
     line_by(far=OTHER_FAR),
     compare=same_line,
+    leaves=True,
     mistakes=[
         mistake(
             "FAR was typed in as a number: use the name, because the check changes its value",
@@ -128,6 +130,7 @@ drift_rate = function(
     "drift_rate(first, second, seconds)",
     rate_by(),
     compare=near(0.002, "degrees/s"),
+    leaves=True,
     mistakes=[
         (
             "the sign is turned round: it is the second direction minus the first",

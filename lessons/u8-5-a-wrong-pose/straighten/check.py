@@ -77,6 +77,7 @@ corrected = function(
     "corrected(looks, rate)",
     by(),
     compare=same_poses,
+    leaves=True,
     mistakes=[
         (
             "only the heading is corrected: each step was added in a wrong direction, too",

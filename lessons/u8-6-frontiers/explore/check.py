@@ -57,6 +57,7 @@ choose_goal = function(
     "choose_goal(here, frontier, room, tried)",
     chosen(),
     cell_cm=5,
+    leaves=True,
     mistakes=[
         (
             "cells that were tried count again: take the regions of frontier - tried",
@@ -94,6 +95,7 @@ choose_goal_of_3 = function(
     "choose_goal(here, frontier, room, tried)",
     chosen(lambda size: size >= 3),
     cell_cm=5,
+    leaves=True,
     mistakes=[
         ("regions count from MIN_REGION cells on, and here they count from 5 on", chosen(), 0)
     ],

@@ -31,7 +31,9 @@ right = reference(0.35, 0.65)
 
 def with_thresholds(free_p, occ_p, mistakes):
     """The function, judged with these thresholds in the program."""
-    return function("read_map(log_odds)", reference(free_p, occ_p), cell_cm=5, mistakes=mistakes)
+    return function(
+        "read_map(log_odds)", reference(free_p, occ_p), cell_cm=5, leaves=True, mistakes=mistakes
+    )
 
 
 TYPED_IN = [

@@ -48,6 +48,7 @@ def other_order(seconds, driven, regions, ways):
 reason = function(
     "reason(seconds, driven, regions, ways)",
     by(),
+    leaves=True,
     mistakes=[
         (
             "one region that is too small is enough to stop: all of them must be",
@@ -107,6 +108,7 @@ OTHER_LIMITS = function(
         over=lambda driven, lengths: driven + min(lengths) > 700,
         time=lambda seconds: seconds >= 90,
     ),
+    leaves=True,
     mistakes=[
         (
             f"{words} was typed in: {name} says it",

@@ -478,3 +478,41 @@ def any_number(task):
     first = failed(marked(check, program))["expected"]
     assert failed(marked(check, program))["expected"] == first
     assert failed(marked(check, program, shift=1000))["expected"] != first
+
+
+LEAVES = """
+from grader import check, function
+largest = function("largest(sizes)", max, leaves=True)
+
+@check("Any sizes", hint=2)
+def any_sizes(task):
+    task.call(largest, [3, 1], gives=3)
+
+@check("With TIMES at 2")
+def another(task):
+    task.set("TIMES", 2)
+    task.call(largest, [3, 1], gives=3)
+"""
+
+
+def test_a_right_answer_that_was_had_by_changing_an_argument_is_refused_without_a_hint() -> None:
+    mark = marked(
+        LEAVES,
+        "TIMES = 1\ndef largest(sizes):\n    sizes.sort()\n    return sizes[-1]\n",
+    )
+    first, second = mark["checks"]
+    assert first["expected"] == "after largest([3, 1]), sizes is as it was: [3, 1]"
+    assert first["got"] == "[1, 3]"
+    assert "work on a copy, list(sizes)" in first["likely"]
+    assert first["hint"] is None
+    assert second["expected"].startswith("with TIMES = 2, after largest([3, 1]), sizes is")
+
+
+def test_a_wrong_answer_is_told_before_a_changed_argument() -> None:
+    mark = marked(LEAVES, "TIMES = 1\ndef largest(sizes):\n    return sizes.pop()\n")
+    assert failed(mark)["expected"] == "largest([3, 1]) gives 3"
+
+
+def test_an_argument_that_is_copied_may_be_worked_on() -> None:
+    program = "TIMES = 1\ndef largest(sizes):\n    sizes = sorted(sizes)\n    return sizes[-1]\n"
+    assert marked(LEAVES, program)["passed"]
