@@ -93,6 +93,7 @@ async function startLabs(): Promise<void> {
   const all = [...worldsInOrder, ...(lesson?.worlds ?? [])];
   const frame = await framed;
   const prepared = own && frame ? await frame.prepareLab(own, worldsInOrder) : null;
+  frame?.restOutOfSight(runtime);
   defineLab({ runtime, worlds: all, readyPrograms, calls: api, store, labAddress });
   if (lesson && document.querySelector("bugbot-task")) await startTasks(runtime, lesson);
   if (own instanceof BugbotLab) {

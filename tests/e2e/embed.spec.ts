@@ -118,6 +118,31 @@ ${PROGRAM}</pre></bugbot-lab>`);
   expect(room).toEqual({ over: 0, theme: "dark" });
 });
 
+test("a lab that nobody sees keeps no interpreter, and runs all the same @once", async ({
+  page,
+  host,
+  baseURL,
+}) => {
+  test.setTimeout(150_000);
+  // Browsers hold up the timers of a frame that is out of sight.
+  const OUT_OF_SIGHT = { timeout: 45_000 };
+  await host(`<script async src="${baseURL}embed.js"></script>
+    <bugbot-lab world="empty"><pre>print("it ran")</pre></bugbot-lab>
+    <div style="height: 20000px"></div><p id="below">Below</p>`);
+  const { program } = lab(page.frameLocator("iframe"));
+  await expect(program).toBeVisible();
+  const workers = () => page.workers().length;
+  await expect.poll(workers).toBe(1);
+  await page.locator("#below").scrollIntoViewIfNeeded();
+  await expect.poll(workers, OUT_OF_SIGHT).toBe(0);
+  const run = () => page.locator("bugbot-lab").evaluate((element) => (element as HostLab).run());
+  expect((await run()).console).toBe("it ran\n");
+  await expect.poll(workers, OUT_OF_SIGHT).toBe(0);
+  // Seen again, it has one ready as before.
+  await page.locator("bugbot-lab").scrollIntoViewIfNeeded();
+  await expect.poll(workers).toBe(1);
+});
+
 test("?embed is a page for a frame: no header, no footer, a lab that fits @once", async ({
   page,
   host,

@@ -1,9 +1,11 @@
 /**
  * A page in a frame of another site: `?embed`, marked by early.ts on the root element. A lab in it
  * begins as the address says, or, `?embed=host`, as the page around it does, which talks with it
- * through a port (site/src/embed). May import `trace`, `ui` and the messages of `embed`.
+ * through a port (site/src/embed). May import `trace`, `ui`, `runtime` and the messages of
+ * `embed`.
  */
 import { type Greeting, HELLO, type Start } from "../embed/messages.ts";
+import type { Runtime } from "../runtime/client.ts";
 import type { World } from "../trace/events.ts";
 import { readAddress } from "./address.ts";
 import { noWorld, talk } from "./embedded-talk.ts";
@@ -61,6 +63,21 @@ export function connectLab(
 ): void {
   if (problem !== null) void lab.updateComplete.then(() => lab.say({ text: problem }));
   if (port) talk(lab, port, worlds);
+}
+
+/** A reader who scrolls to and fro should not start Python each time [ms]. */
+const OUT_OF_SIGHT_MS = 5000;
+
+/** Many labs on a page would each keep an interpreter: one that nobody sees gives its own back. */
+export function restOutOfSight(runtime: Runtime): void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const observer = new IntersectionObserver((entries) => {
+    clearTimeout(timer);
+    const isSeen = entries.at(-1)?.isIntersecting ?? true;
+    if (isSeen) void runtime.rest(false);
+    else timer = setTimeout(() => void runtime.rest(true), OUT_OF_SIGHT_MS);
+  });
+  observer.observe(document.documentElement);
 }
 
 interface Asked {

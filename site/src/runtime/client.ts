@@ -56,6 +56,8 @@ export class Runtime extends EventTarget {
   #warmingUp: Run | null = null;
   /** The reader's last run or marking; null before the first. */
   #work: Promise<unknown> | null = null;
+  /** No interpreter is to wait for work: nobody sees the lab. */
+  #rests = false;
 
   constructor(warmUp: WarmUp | null = null, device: Device = navigator) {
     super();
@@ -125,7 +127,10 @@ export class Runtime extends EventTarget {
       await started;
       return pool.take();
     };
-    const workers = { take, prepare: () => pool.prepare(), oneAtATime: this.isSmall };
+    const prepare = async () => {
+      if (!this.#rests) await pool.prepare();
+    };
+    const workers = { take, prepare, oneAtATime: this.isSmall };
     return { workers, assets: this.#assets };
   }
 
@@ -143,7 +148,16 @@ export class Runtime extends EventTarget {
   expect(spares: number): void {
     this.#pool?.hold(this.isSmall ? 0 : spares);
     // A failure shows when an interpreter is needed.
-    if (this.#state === "ready") this.#pool?.prepare().catch(() => {});
+    if (this.#state === "ready" && !this.#rests) this.#pool?.prepare().catch(() => {});
+  }
+
+  /** While nobody sees the lab no interpreter waits for work; what is under way goes on. */
+  async rest(rests: boolean): Promise<void> {
+    this.#rests = rests;
+    await this.#work;
+    if (this.#rests !== rests) return;
+    if (rests) this.#pool?.hold(0);
+    else if (!this.isSmall) this.expect(1);
   }
 
   async #start(): Promise<void> {
