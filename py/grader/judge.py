@@ -70,7 +70,7 @@ def step(
     refused = refusal(program)
     if refused is not None:
         trouble = ProgramFailed(
-            "a program of the robot's calls and plain Python", refused, likely=None
+            "a program that keeps to what the marking allows", refused, likely=None
         )
         entries = [failed_entry(checks[0].title, trouble, checks[0].hint)]
         entries += [entry(each.title, NOT_RUN) for each in checks[1:]]

@@ -44,7 +44,7 @@ def why_none(text: Text, left_on: object, *, printed: bool) -> str | None:
     if last is not None:
         return _of_return(last)
     return (
-        f"it came to its end without a return: line {left_on} was the last to run, and a "
+        f"it reached its end without a return: line {left_on} was the last to run, and a "
         "function that ends without a return gives None"
     )
 

@@ -58,8 +58,12 @@ def again(task):
             "a program that comes to its end",
             "Stopped on line 3 after printing 0.2 MB",
         ),
-        ("import os\n", "a program of the robot's calls and plain Python", "can't import os"),
-        ("#" * 200_001, "a program of the robot's calls", "longer than 200,000 characters"),
+        (
+            "import os\n",
+            "a program that keeps to what the marking allows",
+            "can't import os",
+        ),
+        ("#" * 200_001, "a program that keeps to what", "longer than 200,000 characters"),
         ("x = " + "-" * 3000 + "1", "a program that runs", "RecursionError"),
     ],
 )

@@ -82,7 +82,7 @@ NO_RETURN = "a function hands back its answer with return, and this one has no r
         ("print([x])", "it prints its answer instead of returning it"),
         (
             "print(x)\n    if x > 5:\n        return [x]",
-            "it came to its end without a return: line 3 was the last to run",
+            "it reached its end without a return: line 3 was the last to run",
         ),
         ("if x > 3:\n        return [x]\n    return", "the return on line 4 has nothing after it"),
         ("if x > 3:\n        return [x]\n    return None", None),
