@@ -11,6 +11,7 @@ them:
     near           … numbers within so much
     between        … a number from one to another, wherever it stands in what is expected
     in_any_order   … lists whose order does not matter
+    in_words       … told in words of the check's own, where several answers are right
     scoring        what a run of task.trials is worth
     mistake        a likely mistake, with what must stand in the program for it to be told:
                    calls, reads, stores, operator, number, code, loops,
@@ -30,7 +31,7 @@ How marking works. A learner's program is never run in the interpreter that judg
     conditions.py what must stand there for a cause to be told
     looping.py    whether a loop stands there
     places.py     where on the mat an answer is wrong
-    compare.py    exactly, near, in_any_order
+    compare.py    exactly, near, in_any_order, in_words
     runs.py       a run: its path, its chart, its prints
     endings.py    how it ended
     trials.py     runs that are all reported, whatever comes of them
@@ -52,7 +53,7 @@ How marking works. A learner's program is never run in the interpreter that judg
     cli.py        python -m grader mark …, python -m grader check …
 """
 
-from grader.compare import between, exactly, in_any_order, near
+from grader.compare import between, exactly, in_any_order, in_words, near
 from grader.conditions import (
     calls,
     code,
@@ -75,6 +76,7 @@ __all__ = [
     "exactly",
     "function",
     "in_any_order",
+    "in_words",
     "lacks",
     "loops",
     "mistake",

@@ -18,18 +18,23 @@ from grader.failures import AuthorError
 from performer.values import Other
 
 __all__ = [
+    "Apart",
     "Between",
     "Compare",
     "InAnyOrder",
     "between",
     "exactly",
     "in_any_order",
+    "in_words",
     "near",
     "unordered",
 ]
 
 Compare = Callable[[Any, Any], bool]
 """compare(expected, got): whether the answer is right."""
+
+Apart = Callable[[Any, Any], tuple[str, str] | None]
+"""apart(expected, got): both in words where the answer is wrong; None if it has none for it."""
 
 _Numbers = Callable[[float, float], bool]
 
@@ -92,6 +97,33 @@ class InAnyOrder:
 
 in_any_order = InAnyOrder()
 """The same parts as often as there, in any order; `in_any_order.deep(2)`: inside them as well."""
+
+
+@dataclass(frozen=True, slots=True)
+class in_words:  # noqa: N801 - a word of the vocabulary
+    """As `compare` says, and what is expected in words, where one of several answers is shown.
+
+    Where many answers are right, the reference's own is only one of them: naming its parts would
+    ask for more than the task does.
+
+    apart  (expected, got) -> what the learner reads behind "gives" and as what it gave instead:
+           ("a route 5 long", "one 6 long"); None where the values themselves should be shown
+
+    >>> longest = in_words(lambda a, b: max(a) == max(b), lambda a, b: (f"up to {max(a)}", str(b)))
+    >>> longest([3, 5], [5]), longest.apart([3, 5], [4])
+    (True, ('up to 5', '[4]'))
+    """
+
+    compare: Compare
+    apart: Apart
+
+    def __post_init__(self) -> None:
+        if not (callable(self.compare) and callable(self.apart)):
+            raise AuthorError("in_words(compare, apart) wants two functions of (expected, got)")
+
+    def __call__(self, expected: Any, got: Any) -> bool:
+        """Whether the answer is right."""
+        return self.compare(expected, got)
 
 
 @dataclass(frozen=True, slots=True, repr=False)

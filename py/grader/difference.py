@@ -11,10 +11,10 @@ from functools import partial
 from typing import Any
 
 from bugbot.errors import counted, listed, times
-from grader.compare import Compare, InAnyOrder, unordered
+from grader.compare import Compare, InAnyOrder, in_words, unordered
 from performer.values import shown
 
-__all__ = ["difference"]
+__all__ = ["difference", "told_in_words"]
 
 _LONG = 8
 """Rows of more parts than this are not shown whole, but where they differ."""
@@ -34,6 +34,9 @@ def difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
     >>> difference(exactly, list(range(20)), [*range(19), 7])
     ('19 as item 19 (counted from 0)', '7')
     """
+    if isinstance(compare, in_words):
+        told = told_in_words(compare, expected, got)
+        return told or difference(compare.compare, expected, got)
     path: list[int] = []
     if _takes_any_order(compare, expected):
         return _of_any_order(compare, expected, got)
@@ -51,6 +54,12 @@ def difference(compare: Compare, expected: Any, got: Any) -> tuple[str, str]:
         place = " of ".join(f"item {index}" for index in path)
         right = f"{right} as {place} (counted from 0)"
     return right, wrong
+
+
+def told_in_words(compare: Compare, expected: Any, got: Any) -> tuple[str, str] | None:
+    """What a check says itself of a wrong answer; None if it says nothing, or twice the same."""
+    told = compare.apart(expected, got) if isinstance(compare, in_words) else None
+    return told if told is not None and told[0] != told[1] else None
 
 
 Fits = Callable[[Any], bool]

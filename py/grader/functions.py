@@ -15,7 +15,7 @@ from bugbot.run.slips.newer import PAGE
 from grader.asking import NOT_SAID, Answered, Call, Look, Step
 from grader.compare import near
 from grader.declare import Function, Mistake
-from grader.difference import difference
+from grader.difference import difference, told_in_words
 from grader.failures import ArgumentChanged, CheckFailed, ProgramFailed
 from grader.places import cells_in, grid_difference, where_cells
 from grader.slips import Wrong, explaining, usual_slip
@@ -134,7 +134,9 @@ def _apart(function: Function, right: Any, value: Any) -> tuple[str, str, list[t
         on_grid = grid_difference(function.compare, function.grid_cm, right, value)
         if on_grid is not None:
             return on_grid
-    cells = cells_in(right) ^ cells_in(value) if function.cell_cm is not None else set()
+    cells = set() if function.cell_cm is None else cells_in(right) ^ cells_in(value)
+    if cells and told_in_words(function.compare, right, value) is not None:
+        cells = cells_in(value)  # another answer would do as well: the learner's own is shown
     return *difference(function.compare, right, value), sorted(cells)
 
 

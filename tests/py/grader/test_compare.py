@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from grader.compare import Compare, exactly, in_any_order, near
+from grader.compare import Compare, exactly, in_any_order, in_words, near
 from grader.difference import difference
 from grader.failures import AuthorError
 from performer.values import Other
@@ -170,6 +170,24 @@ def test_a_comparison_that_minds_no_order_is_told_what_is_missing() -> None:
         "18 items in any order",
         "17 items: (0, 3) is there once, not twice",
     )
+
+
+def sums_in_words(expected: Any, got: Any) -> tuple[str, str] | None:
+    if not isinstance(got, list):
+        return None
+    return f"numbers that make {sum(expected)}", f"{sum(got)}"
+
+
+def test_where_several_answers_are_right_the_check_says_what_is_wanted() -> None:
+    compare = in_words(lambda a, b: isinstance(b, list) and sum(a) == sum(b), sums_in_words)
+    assert compare([1, 5], [2, 4])
+    assert not compare([1, 5], [2, 5])
+    assert difference(compare, [1, 5], [2, 5]) == ("numbers that make 6", "7")
+    assert difference(compare, [1, 5], 7) == ("[1, 5]", "7")
+    alike = in_words(exactly, lambda a, b: ("a number", "a number"))
+    assert difference(alike, 3, 4) == ("3", "4")
+    with pytest.raises(AuthorError, match="two functions"):
+        in_words(exactly, "a text")  # type: ignore[arg-type]
 
 
 def test_what_differs_only_as_a_whole_is_shown_as_a_whole() -> None:

@@ -340,6 +340,33 @@ def test_a_changed_argument_is_judged_and_its_cells_outlined() -> None:
     assert first["where"]["cells"] == [[1, 0]]
 
 
+PATHS = """
+from grader import check, function, in_words
+
+path = function(
+    "path(a, b)",
+    lambda a, b: [a, (0, 5), b],
+    compare=in_words(
+        lambda expected, got: len(expected) == len(got),
+        lambda expected, got: (f"a path of {len(expected)} cells", f"{len(got)} cells"),
+    ),
+    cell_cm=10,
+)
+
+@check("A path")
+def one(task):
+    task.call(path, (0, 0), (2, 0))
+"""
+
+
+def test_of_several_right_answers_none_is_asked_for_and_the_learners_own_is_outlined() -> None:
+    assert marked(PATHS, "def path(a, b):\n    return [a, (1, 0), b]\n")["passed"]
+    first = failed(marked(PATHS, "def path(a, b):\n    return [a, b]\n"))
+    assert first["expected"] == "path((0, 0), (2, 0)) gives a path of 3 cells"
+    assert first["got"] == "2 cells"
+    assert first["where"]["cells"] == [[0, 0], [2, 0]]
+
+
 def test_a_grid_in_rows_is_a_grid_and_anything_else_is_compared_whole() -> None:
     check = LIST.replace('    changes="cells",\n', "").replace(
         "lambda cells, index, l: cells.__setitem__(index, cells[index] + l)",
