@@ -21,9 +21,21 @@ def beyond(answer):
     return add
 
 
-def within_nothing(l, evidence, limit):
-    total = right(l, evidence, limit)
-    return None if -limit <= l + evidence <= limit else total
+def nothing_if(silent):
+    """What a mistake answers that has no answer for a sum of which `silent(total, limit)` holds."""
+
+    def add(l, evidence, limit):
+        return None if silent(l + evidence, limit) else right(l, evidence, limit)
+
+    return add
+
+
+def stays(l, evidence, limit):
+    return kept(l, limit) if abs(l) >= limit else right(l, evidence, limit)
+
+
+def one_side(l, evidence, limit):
+    return min(limit, l + evidence) if evidence > 0 else max(-limit, l + evidence)
 
 
 CHANGED_PLACES = (
@@ -32,6 +44,14 @@ CHANGED_PLACES = (
 OWN_LIMIT = (
     "the limit is 8 here, whatever the function is told: use its parameter `limit`, not 8 and not "
     "L_MAX"
+)
+WHOSE_SIGN = (
+    "which of the two limits it is depends on the sum: one above limit becomes limit, one below "
+    "-limit becomes -limit, whatever the sign of l or of the evidence"
+)
+NOTHING_AT_THE_LIMIT = (
+    "a sum that is exactly at a limit gets no answer: with <= and >= (or a plain else) every sum "
+    "has one"
 )
 ROUNDED = "the answer was rounded: return it with all its decimals"
 
@@ -148,9 +168,39 @@ add = function(
         ),
         (
             "within the limits nothing comes back: the sum itself has to be returned there",
-            within_nothing,
+            nothing_if(lambda total, limit: -limit <= total <= limit),
             0,
         ),
+        (NOTHING_AT_THE_LIMIT, nothing_if(lambda total, limit: abs(total) == limit), 1),
+        (NOTHING_AT_THE_LIMIT, nothing_if(lambda total, limit: total == limit), 1),
+        (NOTHING_AT_THE_LIMIT, nothing_if(lambda total, limit: total == -limit), 1),
+        (
+            "once l is at the limit it stays there: evidence is added there too, and can lead back",
+            stays,
+            0,
+        ),
+        (
+            "l is clamped before the evidence is added: add the evidence to l as it is, and clamp "
+            "only the sum",
+            lambda l, evidence, limit: kept(kept(l, limit) + evidence, limit),
+            0,
+        ),
+        (
+            "only one limit is asked about, the one that the evidence leads towards: l may be "
+            "beyond the other to begin with, so hold the sum at both",
+            one_side,
+            1,
+        ),
+        (
+            "below -limit the answer is limit here: a sum below -limit becomes -limit",
+            beyond(lambda l, total, limit: limit),
+            1,
+        ),
+        (WHOSE_SIGN, beyond(lambda l, total, limit: limit if l > 0 else -limit), 1),
+        (WHOSE_SIGN, beyond(lambda l, total, limit: limit if l >= 0 else -limit), 1),
+        (WHOSE_SIGN, beyond(lambda l, total, limit: limit if total > l else -limit), 1),
+        (ROUNDED, lambda l, evidence, limit: round(right(l, evidence, limit), 3), 2),
+        (ROUNDED, lambda l, evidence, limit: round(right(l, evidence, limit), 2), 2),
         (ROUNDED, lambda l, evidence, limit: round(right(l, evidence, limit), 1), 2),
         (ROUNDED, lambda l, evidence, limit: round(right(l, evidence, limit)), 2),
         (ROUNDED, lambda l, evidence, limit: int(right(l, evidence, limit)), 2),
@@ -163,24 +213,35 @@ def free(task):
     task.call(add, 0, 0.85, 8, gives=0.85)
     task.call(add, 0.85, -0.4, 8, gives=0.45)
     task.call(add, -3.2, 0.85, 8, gives=-2.35)
+    task.call(add, 0, 0.8473, 8, gives=0.8473)
 
 
 @check("Never above the limit", hint=1)
 def top(task):
     task.call(add, 7.5, 0.85, 8, gives=8)
     task.call(add, 8, 0.85, 8, gives=8)
+    task.call(add, 7.25, 0.75, 8, gives=8)
 
 
 @check("Never below minus the limit", hint=1)
 def bottom(task):
     task.call(add, -7.8, -0.4, 8, gives=-8)
     task.call(add, -8, -0.4, 8, gives=-8)
+    task.call(add, -7.25, -0.75, 8, gives=-8)
 
 
 @check("Back from the limit at once", hint=0)
 def back(task):
     task.call(add, 8, -0.4, 8, gives=7.6)
     task.call(add, -8, 0.85, 8, gives=-7.15)
+
+
+@check("From one side to the other", hint=1)
+def across(task):
+    task.call(add, -0.5, 2.75, 2, gives=2)
+    task.call(add, 0.5, -2.75, 2, gives=-2)
+    task.call(add, 0, 2.5, 2, gives=2)
+    task.call(add, 0, -2.5, 2, gives=-2)
 
 
 @check("Another limit", hint=2)
