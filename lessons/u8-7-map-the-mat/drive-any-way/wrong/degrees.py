@@ -1,4 +1,4 @@
-# earns: degrees look taken for radians
+# earns: it looks as if degrees were taken for radians
 # Drive any way
 #
 # The robot can move to any side while it turns. You say

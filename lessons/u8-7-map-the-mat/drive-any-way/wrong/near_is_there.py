@@ -1,4 +1,4 @@
-# earns: less than 1 cm away counts as reached
+# earns: a target that is near counts as reached
 # Drive any way
 #
 # The robot can move to any side while it turns. You say
