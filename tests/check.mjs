@@ -46,9 +46,11 @@ export async function check() {
       cwd: python,
     },
     {
-      name: "build, bytes, unit tests",
+      name: "build, kept figures, bytes, unit tests",
       commands: [
         ["node", "site/build/build.mjs"],
+        // All must be up to date; one in 25 is measured again.
+        ["node", "site/build/lesson-figures.mjs", "--check", "--one-in", "25"],
         ["node", "site/build/budget.mjs"],
         ["npx", "playwright", "test", ...unit],
       ],

@@ -190,7 +190,7 @@ class _Reader:
     def __init__(self, path: Path) -> None:
         self.lesson = Lesson(path.name, path)
         self._path = path
-        self._used = {path / "lesson.json", path / "lesson.md"}
+        self._used = {path / name for name in ("lesson.json", "lesson.md", "figures.json")}
         schema = json.loads(_text(LESSONS / "lesson.schema.json"))
         document = read(_text(path / "lesson.json"), schema)
         self._worlds()

@@ -9,6 +9,7 @@ import { messageOf, ROOT } from "../files.mjs";
 import { fail } from "../install.mjs";
 import { preparePython } from "../python.mjs";
 import { Course } from "./course.mjs";
+import { staleText } from "./kept-figures.mjs";
 import { Measurer } from "./measure.mjs";
 
 const slugs = process.argv.slice(2);
@@ -28,5 +29,6 @@ for (const slug of slugs) {
   for (const [text, value] of course.valuesOf(slug)) console.log(`${value}\t${text}`);
   console.log(faults ?? `${slug} is well`);
   if (faults !== null) faulty += 1;
+  else if (course.staleOf([slug]).length > 0) console.log(staleText(course.staleOf([slug])));
 }
 process.exit(faulty > 0 ? 1 : 0);

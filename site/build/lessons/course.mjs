@@ -12,17 +12,20 @@
  *   measurer: import("./measure.mjs").Measurer,
  *   live: Readonly<Record<string, string>>,
  *   katex: string | null,
+ *   again?: (figure: string) => boolean,
  * }} CourseOptions folder: that of course.json; worlds: those of the site; katex: the address of the
- *   package's folder, if it is not beside the site's
+ *   package's folder, if it is not beside the site's; again: figures to measure though they are kept
  * @typedef {{ lesson: Lesson, prose: Prose, tokens: import("markdown-it").Token[],
- *             taskWords: Map<string, import("./blocks.mjs").TaskWords> }} Draft
+ *             taskWords: Map<string, import("./blocks.mjs").TaskWords>, kept: KeptFigures }} Draft
  */
 import { existsSync } from "node:fs";
 import { join } from "node:path";
 import { ROOT } from "../files.mjs";
 import { blockWriter, checkDirectives } from "./blocks.mjs";
 import { LessonFaults, listText } from "./faults.mjs";
+import { simulatorHash } from "./figure-inputs.mjs";
 import { ARTICLE, readCourse, readLesson } from "./folder.mjs";
+import { KeptFigures } from "./kept-figures.mjs";
 import { lessonPage } from "./lesson-page.mjs";
 import { lookUp } from "./look-up.mjs";
 import { picturesOf } from "./pictures.mjs";
@@ -48,9 +51,10 @@ export class Course {
     this.#options = options;
     const { slugs, faults } = readCourse(options.folder);
     this.#faults = faults;
-    this.#drafts = [...new Set([...slugs, ...(only ?? [])])].map((slug) =>
-      draft(readLesson(join(options.folder, slug), options.worlds)),
-    );
+    this.#drafts = [...new Set([...slugs, ...(only ?? [])])].map((slug) => {
+      const lesson = readLesson(join(options.folder, slug), options.worlds);
+      return draft(lesson, new KeptFigures(lesson.folder, simulatorHash()));
+    });
   }
 
   /** Lessons in the order of the course, the article first if there is one. */
@@ -66,11 +70,13 @@ export class Course {
     /** @type {Map<string, string>} */
     const pages = new Map();
     const faults = [...this.#faults];
-    for (const { lesson } of this.#drafts) {
-      const made = await this.#make(lesson.slug);
-      pages.set(pathOf(lesson.slug), made.html);
-      faults.push(...made.faults);
-    }
+    // Side by side: what has to be measured for any of them shares the threads.
+    const slugs = this.lessons.map(({ slug }) => slug);
+    const made = await Promise.all(slugs.map((slug) => this.#make(slug)));
+    made.forEach((page, index) => {
+      pages.set(pathOf(slugs[index] ?? ""), page.html);
+      faults.push(...page.faults);
+    });
     if (faults.length > 0) throw new LessonFaults(faults);
     return pages;
   }
@@ -116,17 +122,26 @@ export class Course {
     return this.#drafts.find(({ lesson }) => lesson.slug === slug)?.prose.values ?? new Map();
   }
 
+  /**
+   * The kept figures of these lessons, which have been made, where the file is not what it should be.
+   * @param {readonly string[]} slugs
+   */
+  staleOf(slugs) {
+    const made = this.#drafts.filter(({ lesson }) => slugs.includes(lesson.slug));
+    return made.map(({ kept }) => kept).filter(({ isCurrent }) => !isCurrent);
+  }
+
   /** @param {string} slug */
   async #make(slug) {
     const index = this.#drafts.findIndex(({ lesson }) => lesson.slug === slug);
-    const { lesson, prose, tokens, taskWords } = /** @type {Draft} */ (this.#drafts[index]);
-    const { live, measurer, worlds } = this.#options;
+    const { lesson, prose, tokens, taskWords, kept } = /** @type {Draft} */ (this.#drafts[index]);
+    const { live, measurer, worlds, again } = this.#options;
     const pictures = await picturesOf(lesson, prose, measurer);
     const parts = { lesson, prose, taskWords, pictures, live };
     checkDirectives(parts);
     this.#checkLinks(lesson, prose);
     const assumes = this.#assumed(lesson, prose);
-    await lookUp(lesson, prose, [...worlds, ...lesson.worlds], measurer);
+    await lookUp(lesson, prose, [...worlds, ...lesson.worlds], { measurer, kept, again });
     prose.block = blockWriter(parts);
     const lessons = this.#drafts.filter((each) => !each.lesson.article);
     const number = lessons.findIndex((each) => each.lesson === lesson) + 1;
@@ -210,9 +225,10 @@ function idsOf({ prose }) {
 
 /**
  * @param {Lesson} lesson
+ * @param {KeptFigures} kept
  * @returns {Draft}
  */
-function draft(lesson) {
+function draft(lesson, kept) {
   const prose = new Prose();
   const { file, text } = lesson.markdown;
   const tokens = prose.parse(text, { file, line: 1 });
@@ -229,5 +245,5 @@ function draft(lesson) {
       return [task.name, { title, statement: parse(task.statement, "statement"), hints }];
     }),
   );
-  return { lesson, prose, tokens, taskWords };
+  return { lesson, prose, tokens, taskWords, kept };
 }

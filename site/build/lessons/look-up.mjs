@@ -12,16 +12,22 @@
  */
 import { constantsOf, withConstants } from "./constants.mjs";
 import { listText } from "./faults.mjs";
+import { isTimed, runsHash } from "./figure-inputs.mjs";
 import { figureValue, holds, NoSuchQuantity, numberText } from "./figure-value.mjs";
 
 /**
- * Fills `prose.values` and adds to `prose.faults`.
+ * Fills `prose.values` and adds to `prose.faults`. Only the figures that `kept` does not have are measured,
+ * and those that are wanted `again`.
  * @param {Lesson} lesson
  * @param {Prose} prose
  * @param {readonly World[]} worlds that the lesson's programs may use
- * @param {import("./measure.mjs").Measurer} measurer
+ * @param {{
+ *   measurer: import("./measure.mjs").Measurer,
+ *   kept: import("./kept-figures.mjs").KeptFigures,
+ *   again?: ((figure: string) => boolean) | undefined,
+ * }} from where the numbers come from
  */
-export async function lookUp(lesson, prose, worlds, measurer) {
+export async function lookUp(lesson, prose, worlds, { measurer, kept, again }) {
   const wanted = prose.references.flatMap(({ reference, ...place }) => {
     if (reference.kind === "try") {
       const program = programOf(reference.program, lesson, prose, place);
@@ -34,54 +40,54 @@ export async function lookUp(lesson, prose, worlds, measurer) {
       .filter((figure) => typeof figure === "object")
       .map((figure) => ({ figure, place }));
   });
-  const jobs = wanted.flatMap(({ figure, place }) => {
+  const measured = wanted.flatMap(({ figure, place }) => {
     const program = programOf(figure.program, lesson, prose, place);
     const world = worlds.find(({ name }) => name === program?.world);
     if (!program || !world) return [];
     if (!checkConstants(program, figure.constants, prose, place, false)) return [];
     const source = withConstants(program.source, figure.constants);
-    return (figure.seeds ?? [program.seed]).map((seed) => ({
-      figure,
-      place,
+    const jobs = (figure.seeds ?? [program.seed]).map((seed) => ({
+      kind: /** @type {const} */ ("run"),
+      program: source,
+      world: JSON.stringify(world),
       seed,
-      job: {
-        kind: /** @type {const} */ ("run"),
-        program: source,
-        world: JSON.stringify(world),
-        seed,
-      },
     }));
+    const runs = runsHash(jobs);
+    const isKept = !isTimed(source);
+    const value = isKept ? kept.valueOf(figure.text, runs) : null;
+    const anew = isKept && (again?.(figure.text) ?? false);
+    if (value === null || anew) return [{ figure, place, program, runs, jobs, isKept, anew }];
+    prose.values.set(figure.text, value);
+    kept.add(figure.text, runs, value);
+    return [];
   });
-  const answers = await measurer.answers(jobs.map(({ job }) => job));
-  /** @type {Map<Figure, Outcome[]>} */
-  const outcomes = new Map();
-  jobs.forEach(({ figure, place, seed }, index) => {
-    const answer = answers[index];
-    const outcome = answer && "outcome" in answer ? JSON.parse(answer.outcome) : null;
-    const ended =
-      outcome?.message ?? (answer && "message" in answer ? answer.message : "it gave nothing");
-    if (outcome?.status === "finished") {
-      outcomes.set(figure, [...(outcomes.get(figure) ?? []), outcome]);
-    } else {
-      const run = runText(figure, lesson.programs.get(figure.program), seed);
+  const answers = await Promise.all(
+    measured.map(({ jobs, anew }) => measurer.answers(jobs, { anew })),
+  );
+  for (const [at, { figure, place, program, runs, jobs, isKept }] of measured.entries()) {
+    /** @type {Outcome[]} */
+    const outcomes = [];
+    answers[at]?.forEach((answer, index) => {
+      const outcome = "outcome" in answer ? JSON.parse(answer.outcome) : null;
+      if (outcome?.status === "finished") {
+        outcomes.push(outcome);
+        return;
+      }
+      const ended = outcome?.message ?? ("message" in answer ? answer.message : "it gave nothing");
+      const run = runText(figure, program, jobs[index]?.seed ?? null);
       const remedy =
         "mend the program, or take the reference out: a figure comes from a run that finishes.";
       prose.wrong(place, `the run of ${run} did not finish: ${ended}`, remedy);
-    }
-  });
-  for (const { figure, place } of wanted) {
-    const runs = outcomes.get(figure);
-    const program = lesson.programs.get(figure.program);
-    if (!runs || !program || runs.length < (figure.seeds?.length ?? 1)) continue;
+    });
+    if (outcomes.length < jobs.length) continue;
     try {
-      prose.values.set(figure.text, figureValue(figure, runs));
+      const value = figureValue(figure, outcomes);
+      prose.values.set(figure.text, value);
+      if (isKept) kept.add(figure.text, runs, value);
     } catch (error) {
       if (!(error instanceof NoSuchQuantity)) throw error;
-      prose.wrong(
-        place,
-        `{{ ${figure.text} }}: ${error.message}`,
-        "mend the reference or the program.",
-      );
+      const remedy = "mend the reference or the program.";
+      prose.wrong(place, `{{ ${figure.text} }}: ${error.message}`, remedy);
     }
   }
   prose.runText = (figure) => runText(figure, lesson.programs.get(figure.program), null);

@@ -25,11 +25,23 @@ const LONGEST_MS = 180_000;
 /** So many jobs are worth another thread with its interpreter. */
 const JOBS_A_THREAD = 4;
 
+/**
+ * @typedef {{
+ *   file: string, job: Job,
+ *   resolve: (answer: Answer) => void, reject: (error: unknown) => void,
+ * }} Waiting
+ */
+
 export class Measurer {
   #python;
   #log;
   #sources;
   #base;
+  /** What no thread has begun yet. @type {Waiting[]} */
+  #waiting = [];
+  /** The answers on their way, by file: what is asked for twice is measured once. @type {Map<string, Promise<Answer>>} */
+  #asked = new Map();
+  #working = false;
 
   /**
    * @param {PreparedPython} python
@@ -59,22 +71,38 @@ export class Measurer {
   }
 
   /**
-   * The answer to every job, in order.
+   * The answer to every job, in order. Whoever asks meanwhile shares the threads.
    * @param {readonly Job[]} jobs
+   * @param {{ anew?: boolean }} [options] anew: even where the answer is known from before
    * @returns {Promise<Answer[]>}
    */
-  async answers(jobs) {
-    const files = jobs.map((job) => this.#fileOf(job));
-    /** @type {Map<string, Job>} */
-    const missing = new Map();
-    jobs.forEach((job, index) => {
-      const file = files[index] ?? "";
-      if (!existsSync(file)) missing.set(file, job);
+  answers(jobs, { anew = false } = {}) {
+    return Promise.all(jobs.map((job) => this.#answer(job, anew)));
+  }
+
+  /**
+   * @param {Job} job
+   * @param {boolean} anew
+   * @returns {Promise<Answer>}
+   */
+  #answer(job, anew) {
+    const file = this.#fileOf(job);
+    const asked = this.#asked.get(file);
+    if (asked) return asked;
+    if (!anew && existsSync(file)) {
+      return Promise.resolve(JSON.parse(readFileSync(file, "utf8")));
+    }
+    /** @type {Promise<Answer>} */
+    const answer = new Promise((resolve, reject) => {
+      this.#waiting.push({ file, job, resolve, reject });
     });
-    /** @type {Map<string, Answer>} */
-    const fresh = new Map();
-    if (missing.size > 0) await this.#work([...missing], fresh);
-    return files.map((file) => fresh.get(file) ?? JSON.parse(readFileSync(file, "utf8")));
+    this.#asked.set(file, answer);
+    if (!this.#working) {
+      this.#working = true;
+      // First all who ask now have asked: their number says how many threads are worth starting.
+      setImmediate(() => this.#work());
+    }
+    return answer;
   }
 
   /** @param {Job} job */
@@ -83,39 +111,48 @@ export class Measurer {
     return join(FOLDER, `${job.kind}-${sha256(input).slice(0, 24)}.json`);
   }
 
-  /**
-   * @param {[file: string, job: Job][]} waiting
-   * @param {Map<string, Answer>} fresh
-   */
-  async #work(waiting, fresh) {
-    const threads = Math.min(availableParallelism(), Math.ceil(waiting.length / JOBS_A_THREAD));
-    const total = waiting.length;
+  async #work() {
+    const threads = Math.min(
+      availableParallelism(),
+      Math.ceil(this.#waiting.length / JOBS_A_THREAD),
+    );
     const start = Date.now();
-    this.#log(`measuring: ${total} runs and pictures that are new or have changed`);
+    this.#log(`measuring: ${this.#waiting.length} runs and pictures that are new or have changed`);
+    let done = 0;
     const one = async () => {
       let thread = await this.#thread();
-      for (let next = waiting.shift(); next; next = waiting.shift()) {
-        const [file, job] = next;
-        const answer = await ask(thread, job);
+      for (let next = this.#waiting.shift(); next; next = this.#waiting.shift()) {
+        const { file, job, resolve, reject } = next;
+        const answer = await ask(thread, job).catch((error) => {
+          reject(error);
+          throw error;
+        });
+        // A failure is not kept: it may lie in something that is no part of the key.
+        if (answer && !("message" in answer)) write(file, JSON.stringify(answer));
+        resolve(answer ?? { line: null, message: `it did not end within ${LONGEST_MS / 1000} s` });
+        this.#asked.delete(file);
         if (answer === null) {
           // It computes for ever: only ending the thread ends it.
           await thread.terminate();
           thread = await this.#thread();
-          fresh.set(file, {
-            line: null,
-            message: `it has not come to an end in ${LONGEST_MS / 1000} s`,
-          });
-        } else {
-          // A failure is not kept: it may lie in something that is no part of the key.
-          if (!("message" in answer)) write(file, JSON.stringify(answer));
-          fresh.set(file, answer);
         }
-        if (fresh.size % 20 === 0) this.#log(`measuring: ${fresh.size} of ${total} done`);
+        done += 1;
+        if (done % 20 === 0) this.#log(`measuring: ${done} done, ${this.#waiting.length} to go`);
+        // Who waited for this answer may have the next jobs for the thread.
+        await new Promise(setImmediate);
       }
       await thread.terminate();
     };
-    await Promise.all(Array.from({ length: threads }, one));
-    this.#log(`measured in ${((Date.now() - start) / 1000).toFixed(1)} s`);
+    try {
+      await Promise.all(Array.from({ length: threads }, one));
+      this.#log(`measured in ${((Date.now() - start) / 1000).toFixed(1)} s`);
+    } catch (error) {
+      for (const { reject } of this.#waiting.splice(0)) reject(error);
+      this.#asked.clear();
+    }
+    // Somebody may have asked while the threads were ending.
+    this.#working = this.#waiting.length > 0;
+    if (this.#working) setImmediate(() => this.#work());
   }
 
   /** @returns {Promise<Worker>} */

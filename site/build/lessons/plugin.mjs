@@ -15,6 +15,7 @@ import { faultsPage } from "./faults-page.mjs";
 import { readCourse } from "./folder.mjs";
 import { fillHome, mapRun } from "./home.mjs";
 import { slimMathematics } from "./katex-css.mjs";
+import { staleText } from "./kept-figures.mjs";
 import { mapImage } from "./map-image.mjs";
 import { Measurer } from "./measure.mjs";
 import { siteMap, withFrame } from "./site-frame.mjs";
@@ -77,9 +78,12 @@ export function lessonPages(preparePython, folder) {
 
     async buildStart() {
       if (dev) return;
-      for (const [path, html] of await (await course()).pages()) {
-        files.set(join(SITE, path, "index.html"), html);
-      }
+      const made = await course();
+      // The run that the home page shows shares the threads with what the lessons need.
+      const [pages] = await Promise.all([made.pages(), mapRun(made)]);
+      for (const [path, html] of pages) files.set(join(SITE, path, "index.html"), html);
+      const stale = made.staleOf(made.lessons.map(({ slug }) => slug));
+      if (stale.length > 0) console.log(`Figures were measured anew: ${staleText(stale)}`);
     },
 
     resolveId(id) {
