@@ -8,12 +8,17 @@
  */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { gzipSync } from "node:zlib";
+import { promisify } from "node:util";
+import * as zlib from "node:zlib";
 import { CACHE, filesBelow, hashOfFiles, preparedFolder, ROOT, sha256, write } from "./files.mjs";
 import { numpyWheel } from "./numpy.mjs";
+import { runInThread } from "./python-once.mjs";
 import { pyyamlArchive } from "./pyyaml.mjs";
-import { makeSnapshot, runInPyodide } from "./snapshot.mjs";
+import { makeSnapshot } from "./snapshot.mjs";
 import { zip } from "./zip.mjs";
+
+/** In a thread of Node's own. @param {string | Uint8Array} data */
+const gzip = (data) => promisify(zlib.gzip)(data, { level: 9 });
 
 const PYODIDE = join(ROOT, "node_modules/pyodide");
 /** One folder for each state of what goes in. */
@@ -31,11 +36,21 @@ const STAYS = /^(classes|mutants)\//;
  */
 const JUDGING = /^(grader|mapping)\/|^bridge\/(judging|ros|map_files)\.py$/;
 
-/** Python run at build time: the robot's calls as data, from their own docstrings. */
-const DESCRIBE = `
-import json
+/**
+ * Python run at build time: the modules at PATHS compiled as this interpreter would, as base64 by path; and
+ * the robot's calls as data, from their own docstrings.
+ */
+const COMPILE_AND_DESCRIBE = `
+import base64, json, py_compile
+site = "/lib/python3.14/site-packages"
+compiled = {}
+for path in PATHS:
+    made = py_compile.compile(f"{site}/{path}", "/tmp/made.pyc", path, doraise=True,
+        invalidation_mode=py_compile.PycInvalidationMode.UNCHECKED_HASH)
+    with open(made, "rb") as file:
+        compiled[path + "c"] = base64.b64encode(file.read()).decode()
 from bridge.describe import describe
-json.dumps(describe(), ensure_ascii=False)
+json.dumps({"compiled": compiled, "course": describe()}, ensure_ascii=False)
 `;
 
 /**
@@ -72,29 +87,30 @@ export async function preparePython(log = (_text) => {}) {
  */
 async function prepareInto(folder, key, sources, log) {
   log("preparing Python for the browser: interpreter, snapshot, NumPy, PyYAML");
-  const wheel = await numpyWheel(log);
-  const held = Object.entries(sources).filter(([path]) => !JUDGING.test(path));
-  const judging = Object.entries(sources).filter(([path]) => JUDGING.test(path));
-  const snapshot = await makeSnapshot(Object.fromEntries(held));
-  const course = JSON.parse(await runInPyodide(sources, DESCRIBE));
+  const held = Object.fromEntries(Object.entries(sources).filter(([path]) => !JUDGING.test(path)));
+  const judging = Object.keys(sources).filter((path) => JUDGING.test(path));
+  const toCompile = JSON.stringify(judging.filter((path) => path.endsWith(".py")));
+  // Side by side: both of the first two keep a core busy for seconds.
+  const [described, { wheel, yaml, snapshot }, interpreter] = await Promise.all([
+    runInThread(sources, COMPILE_AND_DESCRIBE.replace("PATHS", toCompile)),
+    fetchedAndStarted(held, log),
+    gzip(readFileSync(join(PYODIDE, "pyodide.asm.wasm"))),
+  ]);
+  const { compiled, course } = JSON.parse(described);
 
   const manifest = /** @type {Manifest} */ ({
     key,
     pyodide: JSON.parse(readFileSync(join(PYODIDE, "package.json"), "utf8")).version,
     numpy: wheel.version,
     files: {
-      interpreter: store(
-        folder,
-        "interpreter",
-        gzip(readFileSync(join(PYODIDE, "pyodide.asm.wasm"))),
-      ),
-      snapshot: store(folder, "snapshot", gzip(snapshot)),
-      sources: store(folder, "sources", gzip(JSON.stringify(Object.fromEntries(held)))),
+      interpreter: store(folder, "interpreter", interpreter),
+      snapshot: store(folder, "snapshot", await gzip(snapshot)),
+      sources: store(folder, "sources", await gzip(JSON.stringify(held))),
       // Archives are compressed already.
       stdlib: store(folder, "stdlib", readFileSync(join(PYODIDE, "python_stdlib.zip"))),
       numpy: store(folder, "numpy", wheel.bytes),
-      yaml: store(folder, "yaml", pyyamlArchive(log)),
-      judging: store(folder, "judging", await compiledArchive(Object.fromEntries(judging))),
+      yaml: store(folder, "yaml", yaml),
+      judging: store(folder, "judging", archiveOf(compiled)),
     },
     loader: `pyodide-${sha256(readFileSync(join(PYODIDE, "pyodide.asm.mjs"))).slice(0, 8)}`,
   });
@@ -105,28 +121,22 @@ async function prepareInto(folder, key, sources, log) {
   write(join(folder, "manifest.json"), JSON.stringify(manifest, null, 2));
 }
 
-/** Python run at build time: the sources compiled as this interpreter would, as base64 by path. */
-const COMPILE = `
-import base64, json, py_compile, sysconfig, tempfile, os
-site = "/lib/python3.14/site-packages"
-compiled = {}
-for path in PATHS:
-    made = py_compile.compile(f"{site}/{path}", "/tmp/made.pyc", path, doraise=True,
-        invalidation_mode=py_compile.PycInvalidationMode.UNCHECKED_HASH)
-    with open(made, "rb") as file:
-        compiled[path + "c"] = base64.b64encode(file.read()).decode()
-json.dumps(compiled)
-`;
+/**
+ * The packages from elsewhere, and the snapshot with our own sources in it.
+ * @param {Record<string, string>} sources
+ * @param {(text: string) => void} log
+ */
+async function fetchedAndStarted(sources, log) {
+  const wheel = await numpyWheel(log);
+  const yaml = pyyamlArchive(log);
+  return { wheel, yaml, snapshot: await makeSnapshot(sources) };
+}
 
 /**
- * An archive of the modules as compiled files: a worker that has it imports them in a third of the time.
- * @param {Record<string, string>} sources
+ * An archive of compiled modules: a worker that has it imports them in a third of the time.
+ * @param {Record<string, string>} compiled base64 by path
  */
-async function compiledArchive(sources) {
-  const python = Object.keys(sources).filter((path) => path.endsWith(".py"));
-  const code = COMPILE.replace("PATHS", JSON.stringify(python));
-  /** @type {Record<string, string>} */
-  const compiled = JSON.parse(await runInPyodide(sources, code));
+function archiveOf(compiled) {
   return zip(
     Object.entries(compiled).map(([path, text]) => ({ path, data: Buffer.from(text, "base64") })),
   );
@@ -153,8 +163,8 @@ function inputsKey() {
       join(ROOT, "py", name, path),
     ),
   );
-  const build = ["files", "numpy", "python", "pyyaml", "snapshot", "zip"].map((name) =>
-    join(ROOT, "site/build", `${name}.mjs`),
+  const build = ["files", "numpy", "python", "python-once", "pyyaml", "snapshot", "zip"].map(
+    (name) => join(ROOT, "site/build", `${name}.mjs`),
   );
   const pages = join(ROOT, "site/src/worker/snapshot-pages.mjs");
   return hashOfFiles([...ours, ...build, pages, join(PYODIDE, "package.json")]);
@@ -170,9 +180,4 @@ function store(folder, name, bytes) {
   const path = `${name}-${sha256(bytes).slice(0, 8)}.bin`;
   write(join(folder, path), bytes);
   return { path, bytes: bytes.length };
-}
-
-/** @param {string | Uint8Array} data */
-function gzip(data) {
-  return gzipSync(data, { level: 9 });
 }
