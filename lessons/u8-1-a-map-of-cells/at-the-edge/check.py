@@ -2,7 +2,7 @@
 
 from math import floor
 
-from grader import check, function, mistake, number, operator, reads
+from grader import calls, check, code, function, mistake, number, operator, reads
 
 
 def index_on_mat(x, y, holds=None, side=10, across=20, else_=None):
@@ -20,6 +20,16 @@ def where_cell(holds):
 def where_point(holds):
     """What a mistake answers that lets other points through."""
     return lambda x, y: index_on_mat(x, y, lambda column, row: holds(x, y))
+
+
+def by_parts(part):
+    """What a mistake answers that makes column and row whole numbers in another way."""
+
+    def answer(x, y):
+        column, row = part(x), part(y)
+        return row * 20 + column if 0 <= column < 20 and 0 <= row < 20 else None
+
+    return answer
 
 
 def changed(index):
@@ -149,11 +159,69 @@ index_of = function(
             lambda x, y: index_on_mat(x, y, else_=False),
             1,
         ),
-        (
+        mistake(
             "index 0 gave None: in Python 0 counts as False, so compare with None or with the "
-            "edges, not with `or` or a plain `if`",
+            "edges, not with `or`",
             lambda x, y: index_on_mat(x, y) or None,
             1,
+            where=code("_ or None"),
+        ),
+        (
+            "index 0 gave None: it is the cell of column 0 and row 0, and on the mat like others",
+            lambda x, y: index_on_mat(x, y) or None,
+            1,
+        ),
+        (
+            "the list was asked, and not the mat: it has an index -1, and right of the mat it goes "
+            "on with the next row; check column and row one by one",
+            where_cell(lambda column, row: -400 <= row * 20 + column < 400),
+            1,
+        ),
+        (
+            "the list was asked, and not the mat: column and row must be below ACROSS, and not "
+            "below 0",
+            where_cell(lambda column, row: -20 <= column < 20 and -20 <= row < 20),
+            1,
+        ),
+        *(
+            mistake(
+                "int() cuts -0.4 off to 0, so points just left of the mat or below it got a cell: "
+                "use cell_of(), or math.floor()",
+                by_parts(cut),
+                1,
+                where=calls("int"),
+            )
+            for cut in (lambda x: int(x / 10), lambda x: int(x) // 10)
+        ),
+        mistake(
+            "range() holds whole numbers only, and x and y need not be whole: ask whether column "
+            "and row are in range(ACROSS)",
+            where_point(lambda x, y: x in range(200) and y in range(200)),
+            1,
+            where=calls("range"),
+        ),
+        mistake(
+            "`and` binds more tightly than `or`: a point is beyond the mat if any one of the four "
+            "holds, so join all four with or",
+            where_cell(
+                lambda column, row: not (column < 0 or (column >= 20 and row < 0) or row >= 20)
+            ),
+            1,
+            where=(operator("and"), operator("or")),
+        ),
+        mistake(
+            "`and` asks that both hold: a point is beyond the mat if its column or its row is, so "
+            "join the four with or",
+            where_cell(lambda column, row: max(column, row) >= 0 and min(column, row) < 20),
+            1,
+            where=operator("and"),
+        ),
+        mistake(
+            "a half goes to the even number with round(), so points on a line between two cells "
+            "get the wrong one: use cell_of(), or math.floor()",
+            by_parts(lambda x: round(x / 10 - 0.5)),
+            0,
+            where=calls("round"),
         ),
         mistake(
             "a row holds ACROSS cells: multiply the row by ACROSS, not by CELL",
@@ -197,36 +265,8 @@ CELLS_OF_25 = function(
     "index_of(x, y)",
     lambda x, y: index_on_mat(x, y, side=25, across=8),
     mistakes=[
-        mistake(
-            TYPED_IN,
-            with_20_for(20, 20, 20),
-            1,
-            where=number(20),
-        ),
-        mistake(
-            TYPED_IN,
-            with_20_for(8, 8, 20),
-            1,
-            where=number(20),
-        ),
-        mistake(
-            TYPED_IN,
-            with_20_for(20, 20, 8),
-            1,
-            where=number(20),
-        ),
-        mistake(
-            TYPED_IN,
-            with_20_for(20, 8, 8),
-            1,
-            where=number(20),
-        ),
-        mistake(
-            TYPED_IN,
-            with_20_for(8, 20, 8),
-            1,
-            where=number(20),
-        ),
+        mistake(TYPED_IN, with_20_for(*numbers), 1, where=number(20))
+        for numbers in ((20, 20, 20), (8, 8, 20), (20, 20, 8), (20, 8, 8), (8, 20, 8))
     ],
 )
 
@@ -235,6 +275,13 @@ CELLS_OF_25 = function(
 def on_the_mat(task):
     task.call(index_of, 35, 75, gives=143)
     task.call(index_of, 105, 5, gives=10)
+
+
+@check("Points on a line between two cells", hint=0)
+def between_cells(task):
+    task.call(index_of, 10, 10, gives=21)
+    task.call(index_of, 30, 50, gives=103)
+    task.call(index_of, 25, 120, gives=242)
 
 
 @check("The cells at the edges and in the corners", hint=1)
@@ -246,6 +293,8 @@ def edges(task):
     task.call(index_of, 195, 5, gives=19)
     task.call(index_of, 5, 15, gives=20)
     task.call(index_of, 199.9, 199.9, gives=399)
+    task.call(index_of, 199.99, 55, gives=119)
+    task.call(index_of, 55, 199.99, gives=385)
 
 
 @check("Points right of the mat and above it", hint=1)
@@ -263,6 +312,8 @@ def near_edges(task):
     task.call(index_of, -4, 150, gives=None)
     task.call(index_of, 150, -0.1, gives=None)
     task.call(index_of, -0.1, 0, gives=None)
+    task.call(index_of, -4, 207, gives=None)
+    task.call(index_of, 207, -4, gives=None)
 
 
 @check("Many points, on the mat and round it", hint=2)
