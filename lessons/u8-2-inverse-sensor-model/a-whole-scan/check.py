@@ -1,32 +1,43 @@
 """The layers "free" and "hit": what all the beams of a run say, each cell of 5 cm."""
 
-from grader import calls, check, code, lacks, mistake, operator, reads, stores
+import ast
+from itertools import groupby, takewhile
+from math import radians
+
+from grader import calls, check, code, either, lacks, mistake, operator, reads, stores
 from mapping.beam import clear_length, end_of_hit, passed_by_steps
 from mapping.grid import Grid
 
 GRID = Grid(5)
 
 
-def says(run, seen_as=None, only=slice(None), beams=slice(None)):
+def beam_says(x, y, direction, length):
+    """(passed, hit) of a beam: a set of indices in the list, and an index or None."""
+    cells = passed_by_steps(x, y, direction, clear_length(max(0, length), 5), 5)
+    end = end_of_hit(x, y, direction, length)
+    passed = {GRID.index(cell) for cell in cells if GRID.holds(cell)}
+    return passed, GRID.index_at(*end) if end else None
+
+
+def add_all(free, hits, beams):
+    """What is right for one scan: `beams` is what each of its beams says."""
+    for passed, hit in beams:
+        free |= passed
+        hits |= {hit} - {None}
+
+
+def says(run, seen_as=None, only=slice(None), rule=add_all):
     """(free, hit), sets of indices in the list, of this run's own scans.
 
     seen_as  (scan, angle, reading) -> x, y, direction, reading as a mistake would take them
     only     which of the scans count
-    beams    which beams of each scan count
+    rule     how a mistake adds what the beams of a scan say
     """
-    free, hit = set(), set()
+    take = seen_as or (lambda scan, angle, reading: (scan.x, scan.y, scan.heading + angle, reading))
+    free, hits = set(), set()
     for scan in run.scans[only]:
-        for angle, reading in scan.beams[beams]:
-            beam = scan.x, scan.y, scan.heading + angle, reading
-            if seen_as is not None:
-                beam = seen_as(scan, angle, reading)
-            x, y, direction, length = beam
-            cells = passed_by_steps(x, y, direction, clear_length(max(0, length), 5), 5)
-            free |= {GRID.index(cell) for cell in cells if GRID.holds(cell)}
-            end = end_of_hit(x, y, direction, length)
-            hit |= {GRID.index_at(*end)} if end else set()
-    hit.discard(None)
-    return free - hit, hit
+        rule(free, hits, [beam_says(*take(scan, *beam)) for beam in scan.beams])
+    return free - hits, hits
 
 
 def drawn(run):
@@ -34,11 +45,63 @@ def drawn(run):
     return tuple({GRID.index_at(x, y) for x, y in run.layer(name)} for name in ("free", "hit"))
 
 
+def difference(some, others):
+    return sum(len(a ^ b) for a, b in zip(some, others, strict=True))
+
+
+def together(beams):
+    free, hits = set(), set()
+    add_all(free, hits, beams)
+    return free - hits, hits
+
+
+def by_place_and_angle(run):
+    """What the readings of each place and angle say: several, where scan() was asked again.
+
+    A distance() beside a scan may be left out: it stands beside a beam that says nothing.
+    """
+    for _, group in groupby(run.scans, lambda scan: (scan.x, scan.y, scan.heading)):
+        angles, scans = {}, list(group)
+        for scan in scans:
+            needed = len(scan.beams) > 1 or all(len(each.beams) == 1 for each in scans)
+            for angle, reading in scan.beams:
+                said = beam_says(scan.x, scan.y, scan.heading + angle, reading)
+                angles.setdefault(angle, [] if needed else [(set(), None)]).append(said)
+        yield from angles.values()
+
+
+def ought_to_be(run):
+    """(free, hit) of the readings used: one at least of each place and angle."""
+    is_drawn = free, hits = drawn(run)
+    used, more = [], []
+    for said in by_place_and_angle(run):
+        first, *rest = sorted(
+            said, key=lambda beam: len(beam[0] - free - hits) + len({beam[1]} - hits - {None})
+        )
+        used.append(first)
+        more += rest
+    for beam in more:
+        if difference(together([*used, beam]), is_drawn) < difference(together(used), is_drawn):
+            used.append(beam)
+    return together(used)
+
+
+def mixed(run):
+    """Whether the free cells come from some readings, and the hits from others of the same look."""
+    free, hits = drawn(run)
+    said = list(by_place_and_angle(run))
+    return (
+        all(len(beams) > 1 for beams in said)
+        and not free - set().union(*(passed for beams in said for passed, _ in beams))
+        and not hits - {hit for beams in said for _, hit in beams}
+        and all(any(passed <= free | hits for passed, _ in beams) for beams in said)
+        and all(any(hit is None or hit in hits for _, hit in beams) for beams in said)
+    )
+
+
 def looks_like(run, ought, most=0.15):
     """Whether the cells drawn are these, but for so large a share."""
-    is_drawn = drawn(run)
-    different = sum(len(a ^ b) for a, b in zip(is_drawn, ought, strict=True))
-    return different <= most * sum(map(len, ought))
+    return difference(drawn(run), ought) <= most * sum(map(len, ought))
 
 
 def seen(x=None, y=None, direction=None, reading=None, most=0.04):
@@ -62,12 +125,42 @@ def seen(x=None, y=None, direction=None, reading=None, most=0.04):
     return explains
 
 
+def added(*rules, most=0.004):
+    """A mistake that adds by one of these rules."""
+    return lambda run: any(looks_like(run, says(run, rule=rule), most) for rule in rules)
+
+
+def of(choice):
+    """The rule that adds only such of the beams."""
+    return lambda free, hits, beams: add_all(free, hits, choice(beams))
+
+
+def until_nothing(beams):
+    return list(takewhile(lambda beam: beam[1] is not None, beams))
+
+
+def last_hit_only(free, hits, beams):
+    free.update(*(passed for passed, _ in beams))
+    hits |= {beams[-1][1]} - {None}
+
+
+def hits_not_passed(free, hits, beams):
+    for passed, hit in beams:
+        free |= passed
+        hits |= {hit} - {None} - free
+
+
+def passes_take_hits(free, hits, beams):
+    for passed, hit in beams:
+        hits -= passed
+        add_all(free, hits, [(passed, hit)])
+
+
 def free_replaced(run):
     """Free cells of the last beam alone, and all the hits."""
-    scans = [scan for scan in run.scans if scan.beams]
-    last = says(run, only=slice(len(run.scans) - 1, None), beams=slice(-1, None))[0]
+    last = says(run, only=slice(-1, None), rule=of(lambda beams: beams[-1:]))[0]
     hits = says(run)[1]
-    return bool(scans) and looks_like(run, (last - hits, hits))
+    return bool(run.scans) and looks_like(run, (last - hits, hits))
 
 
 def measured_again(run):
@@ -76,9 +169,22 @@ def measured_again(run):
     return 0 < len(run.scans) - single < single
 
 
+def own_set(name):
+    """Whether such a set is given a value inside a function, without `global`."""
+
+    def stands(text):
+        given = {each for n in text.nodes if isinstance(n, ast.Global) for each in n.names}
+        stored = (n for n in text.nodes if isinstance(n, ast.Name) and n.id == name)
+        inside = any(isinstance(n.ctx, ast.Store) and n.col_offset > 0 for n in stored)
+        return inside and name not in given
+
+    return stands
+
+
 MISTAKES = [
     mistake(
-        "None got into hits: where a beam found nothing, hit is None, so ask before you add it",
+        "None got into hits: hit is None where a beam found nothing or ended beyond the mat, so "
+        "ask `if hit is not None` before you add it",
         lambda run: "NoneType" in run.error,
         2,
         where=(code("hits.add(_)"), lacks(code("_ is not None", "_ is None", "_ != None"))),
@@ -89,6 +195,13 @@ MISTAKES = [
         lambda run: "'int'" in run.error or " int object" in run.error,
         2,
         where=code("hits.update(_)"),
+        broken_off=True,
+    ),
+    mistake(
+        "+ joins START and position() to four numbers: add x to x and y to y",
+        lambda run: "unpack" in run.error,
+        1,
+        where=code("START + position()", "position() + START"),
         broken_off=True,
     ),
     mistake(
@@ -109,19 +222,64 @@ MISTAKES = [
         2,
         where=calls("distance"),
     ),
+    mistake(
+        "hits is a set of look's own here, gone when look ends: leave out what makes it",
+        lambda run: not drawn(run)[1],
+        2,
+        where=own_set("hits"),
+    ),
+    mistake(
+        "free is a set of look's own here, gone when look ends: leave out what makes it",
+        lambda run: not drawn(run)[0],
+        2,
+        where=own_set("free"),
+    ),
     ("no hit is kept: add it to hits, unless it is None", lambda run: not drawn(run)[1], 2),
     ("no free cell is kept: free.update(passed) adds them all", lambda run: not drawn(run)[0], 2),
     (
         "only the last pair of each scan is used: the lines that add belong inside the loop",
-        lambda run: looks_like(run, says(run, beams=slice(-1, None))),
+        added(of(lambda beams: beams[-1:]), most=0.15),
         2,
     ),
     (
         "only one pair of each scan is used: go through all of them with a loop",
-        lambda run: any(
-            looks_like(run, says(run, beams=slice(beam, beam + 1)), most=0.15) for beam in range(8)
-        ),
+        added(*(of(lambda beams, i=i: beams[i : i + 1]) for i in range(8)), most=0.15),
         0,
+    ),
+    mistake(
+        "one pair of each scan is left out: all eight count, the first and the last too",
+        added(of(lambda beams: beams[1:]), of(lambda beams: beams[:-1])),
+        0,
+        where=either(code("_[1:]", "_[:-1]", "_[:7]"), calls("range")),
+    ),
+    (
+        "the free cells are added only where there is a hit: a beam without one has passed cells "
+        "too",
+        added(of(lambda beams: [beam for beam in beams if beam[1] is not None])),
+        2,
+    ),
+    (
+        "the first beam without a hit ends the loop, and the beams after it are lost: go on with "
+        "the next one",
+        added(of(until_nothing), of(lambda beams: beams[: len(until_nothing(beams)) + 1])),
+        2,
+    ),
+    (
+        "of each scan only the last hit is kept: the line that adds it belongs inside the loop",
+        added(last_hit_only),
+        2,
+    ),
+    mistake(
+        "a hit is left out where a beam has passed: a cell both passed and hit counts as hit",
+        added(hits_not_passed),
+        2,
+        where=code("_ not in _", "_ in _", "_ - _"),
+    ),
+    mistake(
+        "hits are taken away where a later beam passes: a cell both passed and hit counts as hit",
+        added(passes_take_hits),
+        2,
+        where=either(operator("-"), calls("difference_update", "difference", "discard", "remove")),
     ),
     mistake(
         "free holds the cells of one beam only: add with free.update(passed), for = throws the "
@@ -140,6 +298,12 @@ MISTAKES = [
         "heading()",
         seen(direction=lambda run, scan, angle, reading: angle, most=0.15),
         1,
+    ),
+    mistake(
+        "beam_says wants degrees, and turns them into radians itself: give it heading() + angle",
+        seen(direction=lambda run, scan, angle, reading: radians(scan.heading + angle), most=0.15),
+        1,
+        where=calls("radians"),
     ),
     mistake(
         "heading() was added twice: the direction is heading() + angle",
@@ -200,20 +364,27 @@ MISTAKES = [
         ),
         1,
     ),
+    (
+        "scan() was asked more than once in a look, and measures anew each time: keep what it "
+        "gives, beams = scan(), and go through that",
+        mixed,
+        2,
+    ),
 ]
 
 
 def compare(task, world):
     run = task.run(world, seed=5, seconds=90, mistakes=MISTAKES)
     run.scanned(at_least=18)
-    ought, is_drawn = says(run), drawn(run)
+    ought, is_drawn = ought_to_be(run), drawn(run)
     for name, right, cells in zip(("free", "hit"), ought, is_drawn, strict=True):
         wrong = sorted((right ^ cells) - {None})
         task.expect(
             # A cell or two may go either way where a beam ends on the line between two.
             len(wrong) <= 3,
             expected=f"{len(right)} cells {name}, as the readings of this run say",
-            got=f"{len(right - cells)} of these not drawn, {len(cells - right)} others drawn",
+            got=f"{len(right - cells)} of these are missing, and "
+            f"{len(cells - right)} others are drawn",
             run=run,
             cells=[GRID.cell(index) for index in wrong],
             cell_cm=5,
