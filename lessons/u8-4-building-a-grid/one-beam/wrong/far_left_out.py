@@ -33,7 +33,7 @@ def add_beam(log_odds, x, y, angle, reading):
     if reading >= FAR:
         return
     clear = reading - CELL
-    evidence = [(i * step, L_FREE) for i in range(int(clear / step))]
+    evidence = [(i * step, L_FREE) for i in range(math.ceil(clear / step))]
     if reading < FAR:
         evidence.append((reading, L_OCC))
     for along, weight in evidence:

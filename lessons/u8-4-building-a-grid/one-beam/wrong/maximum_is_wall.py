@@ -31,7 +31,7 @@ def add_beam(log_odds, x, y, angle, reading):
     dy = math.cos(math.radians(angle))
     step = CELL / 2
     clear = reading - CELL
-    evidence = [(i * step, L_FREE) for i in range(int(clear / step))]
+    evidence = [(i * step, L_FREE) for i in range(math.ceil(clear / step))]
     if reading < 1000:
         evidence.append((reading, L_OCC))
     for along, weight in evidence:
