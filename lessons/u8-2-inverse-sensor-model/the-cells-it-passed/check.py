@@ -3,7 +3,7 @@
 The robot faces 20 degrees meanwhile, so that a heading which is added to the angle shows.
 """
 
-from math import ceil, degrees
+from math import ceil, degrees, floor
 
 from bugbot.frames import cell_of
 from grader import calls, check, code, function, lacks, loops, mistake, number, operator, reads
@@ -36,13 +36,9 @@ def same_cells(expected, got):
 
 
 def beam(random):
-    """A slanting beam for which it makes no difference whether a last, shorter step is taken."""
-    while True:
-        x, y = (round(random.uniform(90, 110), 1) for _ in range(2))
-        asked = x, y, round(random.uniform(0, 360), 1), round(random.uniform(30, 90), 1)
-        with_one_less = passed(*asked, short=CELL * 1.5)
-        if same_cells(with_one_less, passed(*asked, short=CELL - 0.01)):
-            return asked
+    """A slanting beam, from near the middle of the mat."""
+    x, y = (round(random.uniform(90, 110), 1) for _ in range(2))
+    return x, y, round(random.uniform(0, 360), 1), round(random.uniform(30, 90), 1)
 
 
 def with_other(**otherwise):
@@ -66,6 +62,29 @@ def at(end, steps=None):
     return answer
 
 
+def counted(count):
+    """What a mistake answers that takes so many steps: `count` of the steps in the length."""
+
+    def answer(x, y, angle, reading):
+        steps = max(0, count((reading - CELL) / (CELL / 2)))
+        return passed(x, y, angle, reading, steps=steps)
+
+    return answer
+
+
+def without(cells, left_out):
+    return [cell for cell in cells if cell not in left_out]
+
+
+def pushed_in(*asked):
+    cells = [floor_of(*end_of_beam(*asked[:3], i * CELL / 2)) for i in range(len(walked(*asked)))]
+    return [tuple(min(max(each, 0), 39) for each in cell) for cell in cells]
+
+
+def floor_of(x, y):
+    return floor(x / CELL), floor(y / CELL)
+
+
 def points(x, y, angle, reading):
     steps = range(max(0, ceil((reading - CELL) / (CELL / 2))))
     return [end_of_beam(x, y, angle, i * CELL / 2) for i in steps]
@@ -83,6 +102,9 @@ def without_star(x, y, angle, reading):
     return []
 
 
+LAST_MISSING = (
+    "the last step is missing: every step that is less than reading - CELL from the start counts"
+)
 ONE_CENTIMETRE = "steps of 1 cm find cells that the beam hardly touches: step half a cell, CELL / 2"
 
 cells_passed = function(
@@ -136,6 +158,50 @@ cells_passed = function(
                 x, y, angle, reading, step=1, steps=max(0, int(reading - CELL))
             ),
             1,
+        ),
+        mistake(
+            LAST_MISSING + ", so count them with math.ceil(), not int()",
+            counted(int),
+            1,
+            where=calls("int"),
+        ),
+        (LAST_MISSING, counted(floor), 1),
+        (
+            "one step too far: a step at exactly reading - CELL does not count, only those that "
+            "are less (< and not <=)",
+            counted(lambda steps: floor(steps) + 1),
+            1,
+        ),
+        *(
+            mistake(
+                "the reading was rounded: work with it as it came in",
+                lambda x, y, angle, reading, whole=whole: passed(x, y, angle, whole(reading)),
+                1,
+                where=calls(call),
+            )
+            for call, whole in (("round", round), ("int", int))
+        ),
+        (
+            "the walk goes right up to the hit, and leaves out the cell there: stop at "
+            "reading - CELL, whatever the cell",
+            lambda *asked: without(passed(*asked, short=0), at(lambda reading: reading, 1)(*asked)),
+            1,
+        ),
+        (
+            "the last cell was taken off: where the walk stops one cell short, all its cells count",
+            lambda *asked: without(passed(*asked), passed(*asked)[-1:]),
+            1,
+        ),
+        (
+            "something closer than one cell: the list stays empty, so ask how far it is before "
+            "the robot's own cell is added",
+            lambda *asked: passed(*asked, steps=max(1, len(walked(*asked)))),
+            1,
+        ),
+        (
+            "cells beyond the mat were pushed back to its edge: leave them out instead",
+            pushed_in,
+            2,
         ),
         (
             "walked too far, right up to the hit: stop one cell short of it, at reading - CELL",
@@ -256,6 +322,10 @@ def ask(task, *asked, **gives):
 @check("A beam straight up the mat", hint=0)
 def up(task):
     ask(task, 102.5, 42.5, 0, 46.5, gives=[(20, row) for row in range(8, 17)])
+    ask(task, 102.5, 42.5, 0, 48, gives=[(20, row) for row in range(8, 18)])
+    ask(task, 102.5, 41, 0, 45, gives=[(20, row) for row in range(8, 16)])
+    ask(task, 102.5, 41, 0, 44.8, gives=[(20, row) for row in range(8, 16)])
+    ask(task, 102.5, 41, 0, 45.3, gives=[(20, row) for row in range(8, 17)])
 
 
 @check("A beam to the right", hint=0)
@@ -273,9 +343,10 @@ def slanting(task):
 def close(task):
     ask(task, 102.5, 42.5, 0, 4, gives=[])
     ask(task, 102.5, 42.5, 70, 0.5, gives=[])
+    ask(task, 102.5, 44, 0, 0.2, gives=[])
 
 
-@check("A beam that leaves the mat, as noise or a wrong pose may have it", hint=2)
+@check("A beam that leaves the mat, which noise or a wrong pose can cause", hint=2)
 def beyond(task):
     ask(task, 172.5, 182.5, 40, 60.7)
     ask(task, 2.5, 52.5, 200, 50.3)

@@ -41,6 +41,9 @@ def within(columns=range(40), rows=range(40), numbers=ANYWHERE, whole=floor):
     return cell
 
 
+INSIDE = within()
+
+
 def clamped(before, weight):
     return max(-8, min(8, before + weight))
 
@@ -64,7 +67,7 @@ def by(
     steps=half_cells,
     hit=lambda reading: reading < 170,
     end=lambda reading: reading,
-    cell=within(),
+    cell=INSIDE,
     put=clamped,
     pass_weight=-0.4,
     once=lambda weight: False,
@@ -147,7 +150,7 @@ add_beam = function(
         slip(
             "row and column are the wrong way round: the cell's number is row * ACROSS + column",
             2,
-            cell=lambda x, y: within()(y, x),
+            cell=lambda x, y: INSIDE(y, x),
         ),
         slip(WHOLE_CELLS, 1, steps=lambda clear: half_cells(clear)[::2]),
         slip(WHOLE_CELLS, 1, steps=lambda clear: steps(2 * int(clear / 5))[::2]),
@@ -157,7 +160,7 @@ add_beam = function(
             clear=lambda reading: min(reading, 170),
         ),
         slip(
-            LAST_MISSING + ", so their number is math.ceil(clear / step), and int() is one too few",
+            LAST_MISSING + ", so count them with math.ceil(), not int()",
             1,
             code("range(int(_))"),
             steps=lambda clear: steps(int(clear / STEP)),
@@ -165,8 +168,8 @@ add_beam = function(
         slip(LAST_MISSING, 1, steps=lambda clear: steps(floor(clear / STEP))),
         slip(LAST_MISSING, 1, steps=lambda clear: half_cells(clear)[:-1]),
         slip(
-            "the number of steps was rounded: those that are less than the clear length count, "
-            "and their number is math.ceil(clear / step)",
+            "the number of steps was rounded: it may only be rounded up, with math.ceil(), so that "
+            "all those count that are less than the clear length",
             1,
             code("range(round(_))"),
             steps=lambda clear: steps(round(clear / STEP)),
@@ -336,7 +339,7 @@ add_beam = function(
             "cell number 0 was left out: it is the one at the bottom left, and where its number "
             "is asked with if, 0 means no",
             2,
-            cell=lambda x, y: within()(x, y) or None,
+            cell=lambda x, y: INSIDE(x, y) or None,
         ),
         slip(
             "int() cuts -0.4 down to 0, so a point just off the mat gets a cell: use math.floor()",

@@ -1,6 +1,6 @@
 # style: a count of steps
 
-for step in range(int((reading - CELL) / (CELL / 2))):
+for step in range(math.ceil((reading - CELL) / (CELL / 2))):
     cell = cell_of(*end_of_beam(x, y, angle, step * CELL / 2))
     if cell is not None:
         cells.append(cell)
