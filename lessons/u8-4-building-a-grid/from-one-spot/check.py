@@ -176,7 +176,7 @@ def left_by(
                 log_odds[index] = put(log_odds[index], weight)
             seen.add((index, weight))
     return [
-        each if cell % 40 > 21 or cell // 40 > 21 else ANYTHING
+        each if cell % 40 > 21 or cell // 40 > 21 or cell == 0 else ANYTHING
         for cell, each in enumerate(log_odds)
     ]
 
@@ -210,7 +210,7 @@ LEAVES = [
         {"steps": lambda clear, whole: half_cells(clear, whole)[::2]},
     ),
     (
-        "a cell is counted once a beam: give it L_FREE at every half-cell step",
+        "a cell is counted only once per beam: give it L_FREE at every half-cell step",
         (),
         {"once": True},
     ),
@@ -295,9 +295,15 @@ LEAVES = [
         {"cell": row_alone},
     ),
     (
-        "int() rounds -0.4 to 0, so a point just off the mat gets a cell: use math.floor()",
+        "int() cuts -0.4 down to 0, so a point just off the mat gets a cell: use math.floor()",
         calls("int"),
         {"cell": truncated},
+    ),
+    (
+        "cell number 0 was left out: it is the one at the bottom left, and where its number is "
+        "asked with if, 0 means no",
+        (),
+        {"cell": lambda x, y: inside(x, y) or None},
     ),
 ]
 
@@ -422,6 +428,8 @@ BEAMS = [
     # Hits less than a cell off the mat are in no cell, not in the one along the edge.
     ((12.5, 162.5, -90, 15), {(0, 32): NO_WALL}),
     ((137.5, 12.5, 180, 15), {(27, 0): NO_WALL}),
+    # Through the corner at the bottom left, cell number 0, which lies behind the closet's wall.
+    ((12.5, 12.5, 225, 30), {(0, 0): FLOOR}),
     # Longer than FAR, and exactly as long: floor up to FAR, and no wall.
     *(
         (

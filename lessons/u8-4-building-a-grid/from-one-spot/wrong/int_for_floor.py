@@ -1,4 +1,4 @@
-# earns: int() rounds -0.4 to 0
+# earns: int() cuts -0.4 down to 0
 # A map from one spot
 #
 # The robot turns on the spot in a corner of the mat.
