@@ -194,11 +194,14 @@ test("a lab's page that never answers, or breaks off: run() gives up, and says s
     site.fault = { path: "lab/index.html", failure, times: 1000 };
     await host(tag(site));
     await expect(page.locator("iframe")).toBeAttached();
-    const settled = run(page);
+    // The clock goes on when the lab has begun to wait, and not before.
+    const settled = await page
+      .locator("bugbot-lab")
+      .evaluateHandle((lab) => ({ said: (lab as HostLab).run().then(String, String) }));
     await page.clock.fastForward(30_000);
-    expect(await settled).toEqual({
-      error: `Error: <bugbot-lab>: ${site.url}lab/ has not answered for 20 s`,
-    });
+    expect(await settled.evaluate(({ said }) => said)).toBe(
+      `Error: <bugbot-lab>: ${site.url}lab/ has not answered for 20 s`,
+    );
   }
 });
 
