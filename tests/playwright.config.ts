@@ -4,6 +4,9 @@
  * or the site at the address SITE if that is set (with its slash at the end).
  *
  *     npx playwright test -c tests/playwright.config.ts --project unit
+ *
+ * `long` (npm run test:long) is the stories marked @long: long trials of many inputs, of which `e2e` has a
+ * sample.
  */
 import { defineConfig } from "@playwright/test";
 import { launchOptions as findLaunchOptions } from "./browser.mjs";
@@ -54,16 +57,24 @@ export default defineConfig({
     {
       name: "e2e",
       ...browser,
+      // What only a finger does is marked @phone.
+      grepInvert: /@long|@phone/,
+      use: { viewport: { width: 1280, height: 800 }, launchOptions },
+    },
+    {
+      name: "long",
+      ...browser,
+      grep: /@long/,
       use: { viewport: { width: 1280, height: 800 }, launchOptions },
     },
     {
       name: "e2e-phone",
       ...browser,
-      // What Python does, what is kept and what the address says is the same on every screen: whole
-      // files of such stories, and those marked @once in the others.
+      // What Python does and says, what is kept and what the address says is the same on every screen:
+      // whole files of such stories, and those marked @once in the others.
       testIgnore:
-        /(address|bad-input|containment|hostile|keep|keyboard|python|same-trace|start-up|stop|tasks)\.spec/,
-      grepInvert: /@once/,
+        /(address|bad-input|containment|hostile|keep|keyboard|left-over|python|same-trace|start-up|stop|tasks|told)\.spec/,
+      grepInvert: /@once|@long/,
       use: {
         viewport: { width: 390, height: 844 },
         hasTouch: true,

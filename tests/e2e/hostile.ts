@@ -17,6 +17,8 @@ export interface Hostile {
   says?: RegExp;
   /** The learner's line that the message names, of a program that ended without an error. */
   names?: number;
+  /** Stands for its kind in `npm test`; the others are in `npm run test:long` only. */
+  sample?: true;
   /** Nothing of it is run, or what it has printed is lost with its interpreter. */
   mute?: true;
 }
@@ -24,6 +26,7 @@ export interface Hostile {
 export const HOSTILE: Hostile[] = [
   {
     name: "recursion without end",
+    sample: true,
     program: "def f(n):\n    return f(n + 1)\nf(0)",
     status: "fault",
     type: /RecursionError/,
@@ -39,6 +42,7 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "recursion through sorted",
+    sample: true,
     mute: true,
     program: "def f(n):\n    return sorted([1, 2], key=lambda x: f(n + 1))\nf(0)",
     status: "fault",
@@ -84,6 +88,7 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "deeply nested source",
+    sample: true,
     program: `x = ${"(".repeat(5000)}1${")".repeat(5000)}`,
     status: "fault",
     mute: true,
@@ -98,6 +103,7 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "a list that grows without end",
+    sample: true,
     program: "kept = []\nwhile True:\n    kept.append(bytearray(50_000_000))",
     status: "fault",
     type: /MemoryError/,
@@ -119,6 +125,7 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "a list multiplied beyond memory",
+    sample: true,
     program: "grid = [0] * 10**10",
     status: "fault",
     type: /MemoryError|OverflowError/,
@@ -126,6 +133,7 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "sys.exit",
+    sample: true,
     program: 'import sys\nprint("before")\nsys.exit(3)',
     status: "finished",
     names: 3,
@@ -134,11 +142,13 @@ export const HOSTILE: Hostile[] = [
   { name: "os.abort", program: "import os\nos.abort()", status: "finished", names: 2 },
   {
     name: "a null pointer by ctypes",
+    sample: true,
     program: "import ctypes\nctypes.string_at(0, 10**10)",
     status: "fault",
   },
   {
     name: "a signal to itself",
+    sample: true,
     mute: true,
     program: "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)\nprint('alive')",
     status: "fault",
@@ -152,6 +162,7 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "an exception whose text raises",
+    sample: true,
     program:
       "class Bad(Exception):\n    def __str__(self):\n        raise ValueError('no text')\nraise Bad()",
     status: "fault",
@@ -160,12 +171,14 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "KeyboardInterrupt raised by hand",
+    sample: true,
     program: "raise KeyboardInterrupt",
     status: "stopped",
     names: 1,
   },
   {
     name: "printing without end",
+    sample: true,
     program: 'while True:\n    print("flood " * 2000)',
     status: "limit",
     says: /print/,
@@ -185,12 +198,14 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "a limit that is swallowed",
+    sample: true,
     program:
       "from bugbot import *\nwhile True:\n    try:\n        wait(10)\n    except:\n        pass",
     status: "limit",
   },
   {
     name: "builtins torn down",
+    sample: true,
     mute: true,
     program: "import builtins\nbuiltins.__dict__.clear()\nprint(1)",
     status: "fault",
@@ -206,6 +221,7 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "sys.modules cleared",
+    sample: true,
     program: "import sys\nsys.modules.clear()\nx = 1 / 0",
     status: "fault",
     type: /ZeroDivisionError/,
@@ -220,6 +236,7 @@ export const HOSTILE: Hostile[] = [
   },
   {
     name: "the trace's own class broken",
+    sample: true,
     mute: true,
     program: "import bugbot.trace\nbugbot.trace.Trace.add = None\nfrom bugbot import *\nwait(1)",
     status: "fault",
@@ -258,14 +275,19 @@ export const HOSTILE: Hostile[] = [
 ];
 
 /** Endless programs that only Stop, or the watch over silence, can end. */
-export const ENDLESS: { name: string; program: string }[] = [
+export const ENDLESS: { name: string; program: string; sample?: true }[] = [
   { name: "a bare loop", program: "while True:\n    pass" },
-  { name: "a loop that prints", program: "n = 0\nwhile True:\n    n += 1\n    print(n)" },
+  {
+    name: "a loop that prints",
+    sample: true,
+    program: "n = 0\nwhile True:\n    n += 1\n    print(n)",
+  },
   {
     name: "a loop that swallows everything",
+    sample: true,
     program: "while True:\n    try:\n        x = 1\n    except BaseException:\n        pass",
   },
-  { name: "a loop inside C", program: "sum(iter(int, 1))" },
+  { name: "a loop inside C", sample: true, program: "sum(iter(int, 1))" },
   { name: "a huge power", program: "x = 7 ** (7 ** 12)" },
   {
     name: "a regular expression that explodes",

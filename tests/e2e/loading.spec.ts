@@ -17,14 +17,10 @@ function file(pattern: RegExp): string {
 }
 
 const ONCE: [page: keyof typeof PAGES, file: RegExp, failure: Failure][] = [
-  ["article", /^assets\/main-.*\.js$/, "500"],
   ["article", /^assets\/lesson-page-.*\.css$/, "cut"],
   ["article", /^assets\/element-.*\.js$/, "404"],
   ["lesson", /^assets\/lab-[\w-]{8}\.css$/, "wrong"],
-  ["lesson", /^assets\/task-.*\.js$/, "cut"],
-  ["lab", /^assets\/lit-.*\.js$/, "wrong"],
   ["lab", /^assets\/worker-.*\.js$/, "500"],
-  ["lab", /pyodide\.asm\.mjs$/, "cut"],
   ["lab", /\/interpreter-.*\.bin$/, "cut"],
   ["lab", /\/sources-.*\.bin$/, "wrong"],
 ];
