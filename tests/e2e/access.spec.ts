@@ -8,17 +8,21 @@ test("the home page", async ({ page }) => {
   await expectAccess(page);
 });
 
-test("the lab before a run, after one, and after a fault", async ({ app, page }) => {
+test("the lab before a run, after one, and after a fault; its menu and panels", async ({
+  app,
+  page,
+  isMobile,
+}) => {
+  test.slow();
   await app.openLab("world=empty");
   await expectAccess(page);
-  await app.runToEnd(LOOK_ROUND);
-  await expectAccess(page);
+  if (!isMobile) {
+    await app.runToEnd(LOOK_ROUND);
+    await expectAccess(page);
+  }
   await app.runToEnd(FAILS_ON_LINE_4);
   await expectAccess(page);
-});
 
-test("the lab's menu and panels", async ({ app, page }) => {
-  await app.openLab("world=empty");
   await page.getByRole("button", { name: "More", exact: true }).click();
   await expectAccess(page);
   await page.getByRole("button", { name: "Share as a link…" }).click();
@@ -33,7 +37,6 @@ test("the lab's menu and panels", async ({ app, page }) => {
     await expectAccess(page);
     await page.getByRole("button", { name: "Close" }).click();
   }
-  await app.setProgram(FAILS_ON_LINE_4);
   await app.reset.click();
   await app.more("Earlier versions…");
   await expect(page.getByRole("dialog")).toBeVisible();

@@ -5,9 +5,13 @@ import { expect } from "./fixtures.ts";
 
 const WCAG = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"];
 
+/** A screen that is narrower is a phone's. */
+const PHONE_PX = 600;
+
 /**
  * The page breaks no rule. Between the themes only the colours differ, so only they are looked at a
- * second time. `without` names parts that another story looks at.
+ * second time, and not again on a phone, where they are the same. `without` names parts that another story
+ * looks at.
  */
 export async function expectAccess(page: Page, without: readonly string[] = []): Promise<void> {
   const violations = async (choose: (look: AxeBuilder) => AxeBuilder): Promise<string[]> => {
@@ -21,6 +25,7 @@ export async function expectAccess(page: Page, without: readonly string[] = []):
   };
   await page.emulateMedia({ colorScheme: "light" });
   expect(await violations((look) => look.withTags(WCAG))).toEqual([]);
+  if ((page.viewportSize()?.width ?? 0) < PHONE_PX) return;
   await page.emulateMedia({ colorScheme: "dark" });
   const colours = await violations((look) => look.withRules(["color-contrast"]));
   expect(colours, "in the dark").toEqual([]);

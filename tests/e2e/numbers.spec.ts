@@ -32,12 +32,9 @@ async function open(app: App): Promise<void> {
   await expectEndWith(app, 3);
 }
 
-test("a slider is dragged: the number, the map and the chart follow; undo is one step", async ({
-  app,
-  page,
-  isMobile,
-}) => {
-  test.skip(isMobile, "a finger is in the story below");
+test("a slider is dragged: the number, the map and the chart follow; undo is one step", {
+  tag: "@once",
+}, async ({ app, page }) => {
   await open(app);
   const box = await sizeSlider(app).boundingBox();
   if (!box) throw new Error("the slider is not in sight");
@@ -67,12 +64,10 @@ test("a slider is dragged: the number, the map and the chart follow; undo is one
   expect(await app.text()).toBe(SQUARES);
 });
 
-test("a tap on a slider moves it; it is tall enough for a finger", async ({
+test("a tap on a slider moves it; it is tall enough for a finger", { tag: "@phone" }, async ({
   app,
   page,
-  isMobile,
 }) => {
-  test.skip(!isMobile, "a mouse is in the story above");
   await open(app);
   await sizeSlider(app).scrollIntoViewIfNeeded();
   const box = await sizeSlider(app).boundingBox();
@@ -107,8 +102,7 @@ test("a slider moves by keys: arrows, pages, ends; each press is a step for undo
 
 test("Alt with the arrows changes the number at the caret, and moves lines elsewhere", {
   tag: "@once",
-}, async ({ app, page, isMobile }) => {
-  test.skip(isMobile, "a phone's keyboard has no Alt");
+}, async ({ app, page }) => {
   await open(app);
   await app.write("from bugbot import *\nwait(1)\nturn(90)\n");
   await page.keyboard.press("ControlOrMeta+Home");
@@ -123,12 +117,7 @@ test("Alt with the arrows changes the number at the caret, and moves lines elsew
   await expect(app.time).toHaveAttribute("aria-valuetext", /^[3-5]\.\d s$/);
 });
 
-test("any number can be dragged with Alt held", { tag: "@once" }, async ({
-  app,
-  page,
-  isMobile,
-}) => {
-  test.skip(isMobile, "a phone's keyboard has no Alt");
+test("any number can be dragged with Alt held", { tag: "@once" }, async ({ app, page }) => {
   await open(app);
   await app.write('print("at", 10)\n');
   const box = await page.getByText("10", { exact: true }).boundingBox();
