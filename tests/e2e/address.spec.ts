@@ -1,6 +1,8 @@
 /** World and seed are in the address, and an address with mistakes in it still opens the lab. */
 import { expect, test } from "./fixtures.ts";
 
+test.use({ device: "small" });
+
 test("the address chooses world and seed, and follows the choice", async ({ app, page }) => {
   await app.openLab("world=wall-ahead&seed=7");
   await expect(app.world).toHaveValue("wall-ahead");

@@ -3,6 +3,8 @@ import type { Locator } from "@playwright/test";
 import type { App } from "./app.ts";
 import { expect, test } from "./fixtures.ts";
 
+test.use({ device: "small" });
+
 /**
  * Looks twice from (100, 40) straight up the mat. The beams at 2.8 and 8.4 degrees to the right go
  * through the cell from (100, 60) to (105, 65); the wall they end at is 110 cm away.

@@ -2,6 +2,8 @@
 import { expect, test } from "./fixtures.ts";
 import { LOOK_ROUND } from "./programs.ts";
 
+test.use({ device: "small" });
+
 /** Of the two free cells of LOOK_ROUND one is occupied here, and another one is free. */
 const OTHER_MAP = `from bugbot import *
 
@@ -17,10 +19,9 @@ type Lab = HTMLElement & {
   querySelector(name: "overhead-view"): HTMLElement & { earlier: unknown };
 };
 
-test("the run before: a ghost on the chart, and a switch for the cells that differ", async ({
-  app,
-  page,
-}) => {
+test("the run before: a ghost on the chart, and a switch for the cells that differ", {
+  tag: "@once",
+}, async ({ app, page }) => {
   const differs = page.getByRole("checkbox", { name: /^unlike the run before/ });
   const picture = (): Promise<string> =>
     app.view.evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());

@@ -2,9 +2,14 @@
 import { expect, test } from "./fixtures.ts";
 import { LOOK_ROUND } from "./programs.ts";
 
+test.use({ device: "small" });
+
 const OPEN = "Open a .py file…";
 
-test("a program is saved and opened, as one step that can be undone", async ({ app, page }) => {
+test("a program is saved and opened, as one step that can be undone", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   await app.write('print("Grüße")\n');
   const { name, content } = await app.saved("Save as a .py file");

@@ -5,6 +5,8 @@ import { expectAccess } from "./access.ts";
 import { App } from "./app.ts";
 import { expect, test } from "./fixtures.ts";
 
+test.use({ device: "small" });
+
 type Point = readonly [x: number, y: number];
 
 const mat = (page: Page) => page.getByRole("application", { name: "Mat" });

@@ -2,13 +2,15 @@
 import { expect, test } from "./fixtures.ts";
 import { LOOK_ROUND } from "./programs.ts";
 
+test.use({ device: "small" });
+
 test.beforeEach(async ({ app }) => {
   await app.openLab("world=empty");
   await app.showEndsAtOnce();
   await app.runToEnd(LOOK_ROUND);
 });
 
-test("the slider goes to any moment, by keyboard", async ({ app, page }) => {
+test("the slider goes to any moment, by keyboard", { tag: "@once" }, async ({ app, page }) => {
   await app.time.focus();
   await page.keyboard.press("Home");
   await expect(app.time).toHaveAttribute("aria-valuetext", "0.0 s");

@@ -4,6 +4,8 @@ import { zip } from "../../site/build/zip.mjs";
 import type { App } from "./app.ts";
 import { expect, test } from "./fixtures.ts";
 
+test.use({ device: "small" });
+
 test.slow();
 
 const yaml = (image: string, resolution = 0.05, free = 0.196, x = 0): string =>
@@ -46,7 +48,10 @@ const archive = (files: Record<string, string | Buffer>): Buffer =>
 const open = (app: App, files: Record<string, string | Buffer>): Promise<void> =>
   app.openFile("Open a ROS map", "map.zip", archive(files));
 
-test("a Mac’s archive opens, and what is doubtful about a map is told", async ({ app, page }) => {
+test("a Mac’s archive opens, and what is doubtful about a map is told", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   const image = pgm(40, (i) => [254, 205, 0][i % 3] ?? 0);
   await open(app, {

@@ -3,6 +3,8 @@ import type { Page } from "@playwright/test";
 import { App } from "./app.ts";
 import { expect, test } from "./fixtures.ts";
 
+test.use({ device: "small" });
+
 const SHARED = '# ø, 世界, 🤖\nprint("shared")\n';
 const THEIRS = 'print("theirs")\n';
 

@@ -3,9 +3,14 @@ import type { Page } from "@playwright/test";
 import { App } from "./app.ts";
 import { expect, test } from "./fixtures.ts";
 
+test.use({ device: "small" });
+
 const entries = (page: Page) => page.getByRole("list", { name: /Versions/ }).getByRole("button");
 
-test("a run and a reset leave versions; one comes back as one step", async ({ app, page }) => {
+test("a run and a reset leave versions; one comes back as one step", { tag: "@once" }, async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   await app.showEndsAtOnce();
   await app.runToEnd('print("first")\n');
