@@ -57,7 +57,7 @@ export default defineConfig({
     {
       name: "e2e",
       ...browser,
-      // What only a finger does is marked @phone.
+      // What only a finger does, or is told of where room is short, is marked @phone.
       grepInvert: /@long|@phone/,
       use: { viewport: { width: 1280, height: 800 }, launchOptions },
     },

@@ -53,7 +53,9 @@ const FAULTS: Case[] = [
   },
 ];
 
-test("faults: the message names the line, and the program is kept", async ({ app }) => {
+test("faults and odd ends: the message names the line, and the program is kept", async ({
+  app,
+}) => {
   test.slow();
   await app.openLab("world=empty");
   await app.showEndsAtOnce();
@@ -67,13 +69,8 @@ test("faults: the message names the line, and the program is kept", async ({ app
   }
   await app.runToEnd('print("still working")');
   await expect(app.console).toContainText("still working");
-});
 
-test("programs that end oddly, but not by a fault", async ({ app }) => {
-  test.slow();
-  await app.openLab("world=empty");
-  await app.showEndsAtOnce();
-
+  // What ends oddly, but not by a fault.
   await test.step("an empty program", async () => {
     await app.runToEnd("");
     await expect(app.status).toHaveText("Finished at 0.0 s.");

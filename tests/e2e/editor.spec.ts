@@ -2,6 +2,8 @@
 import type { Page } from "@playwright/test";
 import { expect, test } from "./fixtures.ts";
 
+test.use({ device: "small" });
+
 /** From now on, what a screen reader is told by the editor: a line each. It is soon cleared there. */
 async function heard(page: Page): Promise<() => Promise<string>> {
   const lines = await page.locator("bugbot-lab").evaluateHandle((lab) => {

@@ -28,13 +28,8 @@ test("an error names its line, goes there, and shows Python's own words on deman
   await app.run.click();
   await app.ended();
   await expect(app.problem).toBeHidden();
-});
 
-test("what is not yet Python is marked while typing, in plain words", { tag: "@once" }, async ({
-  app,
-  page,
-}) => {
-  await app.openLab("world=empty");
+  // What is not yet Python is marked while it is written.
   await app.write("for i in range(3)\n    print(i)\n\n\n\n");
   const mark = page.locator(".cm-lintRange-error, .cm-lintPoint-error").first();
   await expect(mark).toBeVisible();

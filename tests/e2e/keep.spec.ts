@@ -1,18 +1,14 @@
 /** Nothing a learner writes is lost. */
 import { expect, test } from "./fixtures.ts";
 
+test.use({ device: "small" });
+
 const MINE = 'print("mine")\n';
 
-test("a reload brings the program back", async ({ app, page }) => {
-  await app.openLab("world=empty");
-  await app.write(MINE);
-  await page.reload();
-  await expect(app.program).toBeVisible();
-  expect(await app.text()).toBe(MINE);
-  await expect(app.status).toContainText("Your program is back.");
-});
-
-test("Reset program goes back to the start, and can itself be undone", async ({ app, page }) => {
+test("a reset can be undone, each world keeps its own program, and a reload brings it back", async ({
+  app,
+  page,
+}) => {
   await app.openLab("world=empty");
   const starter = await app.text();
   await app.write(MINE);
@@ -24,11 +20,8 @@ test("Reset program goes back to the start, and can itself be undone", async ({ 
   await app.program.focus();
   await page.keyboard.press("ControlOrMeta+z");
   expect(await app.text()).toBe(MINE);
-});
 
-test("each world keeps its own program, and one can be brought along", async ({ app, page }) => {
-  await app.openLab("world=empty");
-  await app.write(MINE);
+  // One can be brought along to another world.
   await app.world.selectOption("doorway");
   expect(await app.text()).not.toBe(MINE);
   await page.getByRole("button", { name: "Use the one from An empty mat here" }).click();
@@ -37,6 +30,11 @@ test("each world keeps its own program, and one can be brought along", async ({ 
   await page.keyboard.press("ControlOrMeta+z");
   await app.world.selectOption("empty");
   expect(await app.text()).toBe(MINE);
+
+  await page.reload();
+  await expect(app.program).toBeVisible();
+  expect(await app.text()).toBe(MINE);
+  await expect(app.status).toContainText("Your program is back.");
 });
 
 test("where storage is refused a note says so, and everything else works", async ({

@@ -77,7 +77,7 @@ test("a tap on a slider moves it; it is tall enough for a finger", { tag: "@phon
   await expectEndWith(app, 20);
 });
 
-test("a slider moves by keys: arrows, pages, ends; each press is a step for undo", {
+test("a slider moves by keys, by typing and by the page; each is a step for undo", {
   tag: "@once",
 }, async ({ app, page }) => {
   await open(app);
@@ -98,57 +98,15 @@ test("a slider moves by keys: arrows, pages, ends; each press is a step for undo
   expect(await app.text()).toContain("FAR = 0.86  #");
   await far.press("Escape");
   await expect(app.program).toBeFocused();
-});
 
-test("Alt with the arrows changes the number at the caret, and moves lines elsewhere", {
-  tag: "@once",
-}, async ({ app, page }) => {
-  await open(app);
-  await app.write("from bugbot import *\nwait(1)\nturn(90)\n");
-  await page.keyboard.press("ControlOrMeta+Home");
-  await page.keyboard.press("ArrowDown");
-  await page.keyboard.press("Alt+ArrowDown");
-  expect(await app.text()).toBe("from bugbot import *\nturn(90)\nwait(1)\n");
-  await page.keyboard.press("End");
-  await page.keyboard.press("ArrowLeft");
-  await page.keyboard.press("Alt+ArrowUp");
-  expect(await app.text()).toBe("from bugbot import *\nturn(90)\nwait(2)\n");
-  await expect(app.view).toHaveAccessibleDescription(/heading 90°/);
-  await expect(app.time).toHaveAttribute("aria-valuetext", /^[3-5]\.\d s$/);
-});
-
-test("any number can be dragged with Alt held", { tag: "@once" }, async ({ app, page }) => {
-  await open(app);
-  await app.write('print("at", 10)\n');
-  const box = await page.getByText("10", { exact: true }).boundingBox();
-  if (!box) throw new Error("the number is not in sight");
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
-  await page.keyboard.down("Alt");
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + 40, y, { steps: 4 });
-  await expect(app.console).toContainText("at 20");
-  await page.mouse.up();
-  await page.keyboard.up("Alt");
-  await page.keyboard.press("ControlOrMeta+z");
-  expect(await app.text()).toBe('print("at", 10)\n');
-});
-
-test("typing a number moves its slider; without a range there is none", { tag: "@once" }, async ({
-  app,
-}) => {
-  await open(app);
+  // Typing a number moves its slider; without a range there is none.
   await app.write("SIZE = 7  # squares (1 to 20)\n");
-  await expect(sizeSlider(app)).toHaveValue("7");
+  await expect(slider).toHaveValue("7");
   await app.write("SIZE = 7  # squares\n");
-  await expect(sizeSlider(app)).toHaveCount(0);
-});
+  await expect(slider).toHaveCount(0);
 
-test("a page can set constants, as one step, all or none", { tag: "@once" }, async ({
-  app,
-  page,
-}) => {
-  await open(app);
+  // A page can set constants, as one step, all or none.
+  await app.write(SQUARES);
   const set = (values: Record<string, number>): Promise<void> =>
     page
       .locator("bugbot-lab")
@@ -165,4 +123,35 @@ test("a page can set constants, as one step, all or none", { tag: "@once" }, asy
   expect(await app.text()).toBe(SQUARES);
   await expect(set({ SIZE: 4, NEAR: 1 })).rejects.toThrow(/no line "NEAR = …" with a number/);
   expect(await app.text()).toBe(SQUARES);
+});
+
+test("with Alt the arrows change the number at the caret, or move lines, and any number can be dragged", {
+  tag: "@once",
+}, async ({ app, page }) => {
+  await open(app);
+  await app.write("from bugbot import *\nwait(1)\nturn(90)\n");
+  await page.keyboard.press("ControlOrMeta+Home");
+  await page.keyboard.press("ArrowDown");
+  await page.keyboard.press("Alt+ArrowDown");
+  expect(await app.text()).toBe("from bugbot import *\nturn(90)\nwait(1)\n");
+  await page.keyboard.press("End");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Alt+ArrowUp");
+  expect(await app.text()).toBe("from bugbot import *\nturn(90)\nwait(2)\n");
+  await expect(app.view).toHaveAccessibleDescription(/heading 90°/);
+  await expect(app.time).toHaveAttribute("aria-valuetext", /^[3-5]\.\d s$/);
+
+  await app.write('print("at", 10)\n');
+  const box = await page.getByText("10", { exact: true }).boundingBox();
+  if (!box) throw new Error("the number is not in sight");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.keyboard.down("Alt");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y, { steps: 4 });
+  await expect(app.console).toContainText("at 20");
+  await page.mouse.up();
+  await page.keyboard.up("Alt");
+  await page.keyboard.press("ControlOrMeta+z");
+  expect(await app.text()).toBe('print("at", 10)\n');
 });

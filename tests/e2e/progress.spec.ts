@@ -5,6 +5,8 @@ import { expect, test } from "./fixtures.ts";
 import { Task } from "./task-page.ts";
 import { CELL_OF, openTinyLesson } from "./tiny-lesson.ts";
 
+test.use({ device: "small" });
+
 test.slow();
 
 test("saved as a file, cleared, brought back, and opened again", { tag: "@once" }, async ({

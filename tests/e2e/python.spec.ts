@@ -25,16 +25,14 @@ test("NumPy is loaded when a program imports it, and not before", async ({ app, 
   expect(asked.filter((url) => url.includes("numpy"))).toHaveLength(1);
 });
 
-test("another package: the message says what there is", async ({ app }) => {
+test("the standard library is there for who needs it; of another package the message says what there is", async ({
+  app,
+}) => {
   await app.openLab("world=empty");
   await app.runToEnd("import math\nimport pandas\n");
   await expect(app.problem).toContainText("pandas");
   await expect(app.problem).toContainText(/numpy/i);
   await expect(app.problem).toContainText("line 2");
-});
-
-test("the standard library is there for a program that needs it", async ({ app }) => {
-  await app.openLab("world=empty");
   await app.runToEnd("import colorsys, wave, tomllib\nprint(tomllib.loads('a = 1'))\n");
   await expect(app.console).toContainText("{'a': 1}");
 });

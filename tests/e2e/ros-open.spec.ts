@@ -4,8 +4,6 @@ import { zip } from "../../site/build/zip.mjs";
 import type { App } from "./app.ts";
 import { expect, test } from "./fixtures.ts";
 
-test.use({ device: "small" });
-
 test.slow();
 
 const yaml = (image: string, resolution = 0.05, free = 0.196, x = 0): string =>

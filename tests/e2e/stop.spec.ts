@@ -2,7 +2,9 @@
 import { expect, test } from "./fixtures.ts";
 import { NEVER_ENDS } from "./programs.ts";
 
-test("stop an endless loop, keep what it showed, and run another", async ({ app }) => {
+test("stop an endless loop, keep what it showed, run another; Run while one is running starts afresh", async ({
+  app,
+}) => {
   await app.openLab("world=empty");
   await app.write(NEVER_ENDS);
   await app.run.click();
@@ -13,10 +15,7 @@ test("stop an endless loop, keep what it showed, and run another", async ({ app 
   await expect(app.run).toBeFocused();
   await app.runToEnd('print("still here")');
   await expect(app.console).toContainText("still here");
-});
 
-test("Run while one is running starts afresh", async ({ app }) => {
-  await app.openLab("world=empty");
   await app.write(NEVER_ENDS);
   await app.run.click();
   await expect(app.status).toHaveText("Running…");

@@ -60,9 +60,10 @@ test("from the starter over a failure and a hint to a pass, which is still there
   await expect(task.runStatus).toContainText("Your program is back.");
 });
 
-test("a failed run is shown on its hidden mat, and there is a way back to one's own", async ({
-  page,
-}) => {
+// Where room is short; the project's story (results.spec.ts) shows a run on a desktop's screen.
+test("a failed run is shown on its hidden mat, and there is a way back to one's own", {
+  tag: "@phone",
+}, async ({ page }) => {
   await openTinyLesson(page);
   const task = new Task(page, "Stop in time");
   await task.run.click();

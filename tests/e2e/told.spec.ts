@@ -47,11 +47,25 @@ print(np.random.rand(), np.random.default_rng().random(), random.SystemRandom().
 print(os.urandom(4))
 `;
 
-test("a loop that never waits is ended with its line and the remedy", async ({ app }) => {
+test("a loop that never waits is ended with its line and the remedy; what is too much is noted beside the prints", async ({
+  app,
+}) => {
   await app.openLab("world=post-and-shelf");
   await app.runToEnd(STANDS_STILL);
   await expect(app.status).toContainText("Stopped on line 4 at 0 s: the depth sensor was used");
   await expect(app.status).toContainText("Put wait(0.1) into the loop on line 4.");
+
+  await app.showEndsAtOnce();
+  await app.runToEnd('from bugbot import *\nprint("off")\nforward(500, distance=300)\n');
+  await expect(app.status).toContainText("Finished at");
+  await expect(app.console).toContainText(
+    "Line 3: forward(speed, distance) got speed 500, and the robot can't go faster than 100 per cent",
+  );
+  await expect(app.console).toContainText(/Line 3: the robot drove .* it touched the shelf at/);
+  const outcome = await app.page
+    .locator("bugbot-lab")
+    .evaluate((lab: HTMLElement & Lab) => lab.run());
+  expect(outcome).toMatchObject({ console: "off\n", notes: [{ line: 3 }, { line: 3 }] });
 });
 
 test("a program that only computes is told the line and goes on, and nothing printed is lost", async ({
@@ -68,10 +82,8 @@ test("a program that only computes is told the line and goes on, and nothing pri
   await expect(app.console).toContainText("second");
   await app.stop.click();
   await expect(app.status).toHaveText(/You stopped the program/);
-});
 
-test("all that was printed before the interpreter broke is there", async ({ app }) => {
-  await app.openLab("world=empty");
+  // Nor where the interpreter breaks.
   await app.runToEnd(BREAKS_AFTER_21_PRINTS);
   await expect(app.status).toHaveText("An error on line 3 ended the program.");
   for (let i = 0; i < 20; i++) await expect(app.console).toContainText(`scan ${i}`);
@@ -90,23 +102,6 @@ test("every clock, asyncio and chance are those of plain Python's run", async ({
     expect(outcome).toMatchObject({ status: "finished", fault: null });
     expect(outcome).toEqual(nativeOutcome({ program, world: "empty", seed: 3 }));
   }
-});
-
-test("a speed that is too high and a way that is too long are noted beside the prints", async ({
-  app,
-}) => {
-  await app.openLab("world=post-and-shelf");
-  await app.showEndsAtOnce();
-  await app.runToEnd('from bugbot import *\nprint("off")\nforward(500, distance=300)\n');
-  await expect(app.status).toContainText("Finished at");
-  await expect(app.console).toContainText(
-    "Line 3: forward(speed, distance) got speed 500, and the robot can't go faster than 100 per cent",
-  );
-  await expect(app.console).toContainText(/Line 3: the robot drove .* it touched the shelf at/);
-  const outcome = await app.page
-    .locator("bugbot-lab")
-    .evaluate((lab: HTMLElement & Lab) => lab.run());
-  expect(outcome).toMatchObject({ console: "off\n", notes: [{ line: 3 }, { line: 3 }] });
 });
 
 interface Lab {
