@@ -4,7 +4,7 @@ from heapq import heappop, heappush
 from itertools import chain, pairwise
 from math import dist, hypot
 
-from grader import calls, check, exactly, function, lacks, mistake
+from grader import calls, check, exactly, function, in_words, lacks, mistake, number, operator
 from mapping.grid import Grid
 from mapping.planning import shortest_way
 
@@ -24,18 +24,31 @@ SMALL_ROOMS = """
 ....#.. G...... ....... ....... .#..#.G .G.....
 ..#S..# ....... ..#.... .#S.... ....... ..#....
 """
-# Larger ones tell it of an estimate a little too long, and of a stop when the goal is first seen.
+# Larger ones tell it of an estimate a little too long, the last of one that is 1.05 times as long,
+# and of a stop when the goal is first seen.
 LARGER_ROOMS = """
-##......#. ..#....... ..G#.#.... ..#G#.....
-.##.S...## ..#..#.... .......... ........#.
-.#........ ....###.S. ....##.#.# ..........
-#......... #......... ......#... ..#.......
-.....#.... .#........ .#.....#.. .......#..
-..#.....#. .....#...# #.....#... .......#.#
-##......#. .....#..#. ..#....##. #.......S.
-.#....##.. #.#....... ..#.....#S ...#..#...
-........G. ...#.#.#.. .......... ..#.......
-.#...#.... ..G.....## ...#...... .##.#.....
+##......#. ..#....... ..G#.#.... ..#G#..... ..........
+.##.S...## ..#..#.... .......... ........#. ........#.
+.#........ ....###.S. ....##.#.# .......... #.#.#...#.
+#......... #......... ......#... ..#....... .....#.#..
+.....#.... .#........ .#.....#.. .......#.. .#..#.....
+..#.....#. .....#...# #.....#... .......#.# .........#
+##......#. .....#..#. ..#....##. #.......S. #....##.S.
+.#....##.. #.#....... ..#.....#S ...#..#... G.......#.
+........G. ...#.#.#.. .......... ..#....... ..#.......
+.#...#.... ..G.....## ...#...... .##.#..... ..#......#
+"""
+# 10 steps to corners and 2 to sides, or 3 and 12: shorter only if a step to a corner counts 1.5.
+TWO_ROUTES = """
+####.....####
+###...#...###
+##...###...##
+#...#####...#
+...#######...
+S.#########.G
+...#########.
+#...########.
+##...........
 """
 
 
@@ -44,47 +57,93 @@ def reference(start, goal, room):
     return [MAT.cell(index) for index in way]
 
 
-def as_short(expected, got):
-    """Whether it is a route from start to goal, step by step, and no longer."""
-    if isinstance(expected, dict):
-        return _as_mistaken(expected, got)
-    if not isinstance(expected, list):
-        return exactly(expected, got)  # no list of cells: a mistake's answer
-    length = _length(expected, got)
-    return length is not None and abs(length - _shortest(expected)) < 1e-6
-
-
-def _shortest(way):
+def long(way):
     return sum(dist(a, b) for a, b in pairwise(way))
 
 
-def _length(expected, got):
+def is_step(a, b):
+    return 0 < dist(a, b) < 1.5
+
+
+def are_cells(got):
+    return isinstance(got, list | tuple) and all(
+        isinstance(each, list | tuple) and len(each) == 2 and all(type(n) is int for n in each)
+        for each in got
+    )
+
+
+def length(expected, got):
     """How long a list is as a route between the same two cells; None if it is none."""
-    if not isinstance(got, list | tuple) or not all(_is_cell(each) for each in got):
+    if not are_cells(got):
         return None
     if not expected or not got:
         return None if expected or got else 0
-    steps = [dist(a, b) for a, b in pairwise(got)]
     ends = tuple(got[0]) == expected[0] and tuple(got[-1]) == expected[-1]
-    return sum(steps) if ends and all(0 < step < 1.5 for step in steps) else None
+    return long(got) if ends and all(is_step(*step) for step in pairwise(got)) else None
 
 
-def _as_mistaken(slip, got):
+def as_short(expected, got):
+    """Whether it is a route from start to goal, step by step, and no longer."""
+    if isinstance(expected, dict):
+        return as_mistaken(expected, got)
+    if not isinstance(expected, list):
+        return exactly(expected, got)  # no list of cells: a mistake's answer
+    found = length(expected, got)
+    return found is not None and abs(found - long(expected)) < 1e-6
+
+
+def in_lengths(expected, got):
+    """What is told: lengths, ends and steps, not the cells of the one route that is known here."""
+    if not expected or not got or not are_cells(got):
+        return None
+    got = [tuple(cell) for cell in got]
+    if (got[0], got[-1]) != (expected[0], expected[-1]):
+        return (
+            f"a list that begins with {expected[0]} and ends with {expected[-1]}",
+            f"one that begins with {got[0]} and ends with {got[-1]}",
+        )
+    for a, b in pairwise(got):
+        if not is_step(a, b):
+            return "steps to one of the eight cells around", f"a step from {a} to {b}"
+    shorter = long(got) < long(expected)
+    return (
+        f"a route {long(expected):.2f} long",
+        f"one {long(got):.2f} long{', with a step that is not allowed' if shorter else ''}",
+    )
+
+
+def through(room):
+    """The same question, asked of each step too: each must be allowed in this room."""
+
+    def not_allowed(got):
+        for a, b in pairwise(got):
+            if not {tuple(b), (b[0], a[1]), (a[0], b[1])} <= room:
+                return a, b
+        return None
+
+    def compare(expected, got):
+        return as_short(expected, got) and not (expected and not_allowed(got))
+
+    def apart(expected, got):
+        if not as_short(expected, got):
+            return in_lengths(expected, got)
+        a, b = map(tuple, not_allowed(got))
+        return "a route of steps that are allowed", f"a step from {a} to {b}"
+
+    return function(
+        "find_way(start, goal, room)", reference, compare=in_words(compare, apart), cell_cm=10
+    )
+
+
+def as_mistaken(slip, got):
     """Whether it is what a mistake answers, by a property where routes may differ."""
     if "steps" in slip:
         return isinstance(got, list | tuple) and len(got) == slip["steps"]
     if "longer than" in slip:
-        length = _length(slip["longer than"], got)
-        return length is not None and length > _shortest(slip["longer than"]) - 1e-6
-    return _right_once_mended(slip, got)
-
-
-def _right_once_mended(slip, got):
-    """Whether it is a route but for one mistake; of several routes it may be any."""
-    if not isinstance(got, list | tuple):
-        return False
-    if not slip["route"]:
-        return not got
+        found = length(slip["longer than"], got)
+        return found is not None and found > long(slip["longer than"]) - 1e-6
+    if not isinstance(got, list | tuple) or not slip["route"]:
+        return got == []
     mended = [*slip["missing first"], *got, *slip["missing last"]]
     return as_short(slip["route"], mended[::-1] if slip["turned round"] else mended)
 
@@ -99,107 +158,88 @@ def but_for(first=False, last=False, turned=False):
     }
 
 
-def _is_cell(value):
-    return (
-        isinstance(value, list | tuple) and len(value) == 2 and all(type(n) is int for n in value)
-    )
-
-
-def through(room):
-    """The same question, asked of each step too: each must be allowed in this room."""
-
-    def allowed(expected, got):
-        if not as_short(expected, got) or not isinstance(expected, list):
-            return as_short(expected, got)
-        return all({tuple(b), (b[0], a[1]), (a[0], b[1])} <= room for a, b in pairwise(got))
-
-    return function("find_way(start, goal, room)", reference, compare=allowed, cell_cm=10)
-
-
-def search(start, goal, room, steps, cost=dist, cuts=False, ahead=lambda c, r: 0, once=False):
+def search(cost=dist, steps=SIDES + CORNERS, asks=all, ahead=lambda c, r: 0, once=False):
     """A mistake in it.
 
     cost   of a step
-    cuts   corners: True, or "one" if one of the two cells has to be free
+    asks   whether a step is allowed, told whether the two cells beside it have room
     ahead  the estimate, of the columns and rows to the goal
     once   the first length that is found for a cell is kept
     """
-    length, before, waiting = {start: 0}, {start: None}, [(0, start)]
-    while waiting:
-        cell = heappop(waiting)[1]
-        if cell == goal:
-            way = []
-            while cell:
-                way.append(cell)
-                cell = before[cell]
-            return way[::-1]
-        for c, r in steps:
-            new = cell[0] + c, cell[1] + r
-            both = [(new[0], cell[1]) in room, (cell[0], new[1]) in room]
-            round_it = all(both) if not cuts else any(both) or cuts is True
-            so_far = length[cell] + cost(cell, new)
-            better = new not in length if once else so_far < length.get(new, 1e9)
-            if new in room and round_it and better:
-                length[new], before[new] = so_far, cell
-                estimate = ahead(abs(new[0] - goal[0]), abs(new[1] - goal[1]))
-                heappush(waiting, (so_far + estimate, new))
-    return []
+
+    def find(start, goal, room):
+        lengths, before, waiting = {start: 0}, {start: None}, [(0, start)]
+        while waiting:
+            cell = heappop(waiting)[1]
+            if cell == goal:
+                way = []
+                while cell:
+                    way.append(cell)
+                    cell = before[cell]
+                return way[::-1]
+            for c, r in steps:
+                new = cell[0] + c, cell[1] + r
+                beside = [(new[0], cell[1]) in room, (cell[0], new[1]) in room]
+                so_far = lengths[cell] + cost(cell, new)
+                better = new not in lengths if once else so_far < lengths.get(new, 1e9)
+                if new in room and asks(beside) and better:
+                    lengths[new], before[new] = so_far, cell
+                    estimate = ahead(abs(new[0] - goal[0]), abs(new[1] - goal[1]))
+                    heappush(waiting, (so_far + estimate, new))
+        return []
+
+    return find
 
 
-def fewest_steps(start, goal, room):
-    """As many cells as the route with the fewest steps has, whichever cells they are."""
-    found = search(start, goal, room, SIDES + CORNERS, cost=lambda a, b: 1)
-    return {"steps": len(found)}
-
-
+EMPTY = (
+    "the list has to be empty if the search never came to the goal: ask for that before you walk "
+    "back from it"
+)
+CUTS = "it cuts corners: "
 find_way = function(
     "find_way(start, goal, room)",
     reference,
-    compare=as_short,
+    compare=in_words(as_short, in_lengths),
     cell_cm=10,
     leaves=True,
     mistakes=[
         (
-            "it cuts corners: a step to a corner needs room on both cells beside it",
-            lambda start, goal, room: search(start, goal, room, SIDES + CORNERS, cuts=True),
+            f"{CUTS}a step to a corner needs room on both cells beside it",
+            search(asks=lambda beside: True),
             2,
         ),
-        (
-            "it cuts corners: both cells beside a step to a corner need room, not one of them",
-            lambda start, goal, room: search(start, goal, room, SIDES + CORNERS, cuts="one"),
-            2,
-        ),
+        *[
+            (f"{CUTS}both cells beside a step to a corner need room, not one", search(asks=asks), 2)
+            for asks in (any, lambda beside: beside[0], lambda beside: beside[1])
+        ],
         (
             "only steps to the sides were taken: a step to a corner is shorter than two of them",
-            lambda start, goal, room: search(start, goal, room, SIDES),
+            search(steps=SIDES),
             2,
         ),
         (
-            "these are the fewest steps, not the shortest: to a corner it is the square root of 2",
-            fewest_steps,
+            "these are the fewest steps, not the shortest route: a step to a corner is sqrt(2) "
+            "long, a step to a side 1",
+            lambda *asked: {"steps": len(search(cost=lambda a, b: 1)(*asked))},
             1,
         ),
         mistake(
             "columns and rows were added up for the estimate, which makes it too long: "
             "dist(new, goal) never is",
-            lambda start, goal, room: search(
-                start, goal, room, SIDES + CORNERS, ahead=lambda c, r: c + r
-            ),
+            search(ahead=lambda c, r: c + r),
             0,
             where=calls("abs"),
         ),
         mistake(
             "each cell keeps the first length found for it: a shorter one that is found later "
             "has to replace it",
-            lambda start, goal, room: search(
-                start, goal, room, SIDES + CORNERS, ahead=hypot, once=True
-            ),
+            search(ahead=hypot, once=True),
             1,
-            where=lacks(calls("abs")),
+            where=lacks(operator("<", ">", ">=")),
         ),
         (
             "it goes through cells without room: a step leads to a cell of room",
-            lambda start, goal, room: search(start, goal, CELLS, SIDES + CORNERS),
+            lambda start, goal, room: search()(start, goal, CELLS),
             2,
         ),
         (
@@ -207,33 +247,30 @@ find_way = function(
             but_for(turned=True),
             0,
         ),
-        (
-            "the start is missing: the list begins with it",
-            but_for(first=True),
-            0,
-        ),
-        (
-            "the goal is missing: the list ends with it",
-            but_for(last=True),
-            0,
-        ),
+        ("the start is missing: the list begins with it", but_for(first=True), 0),
+        ("the goal is missing: the list ends with it", but_for(last=True), 0),
         (
             "start and goal are all there is: the cells between them belong to the list too",
             lambda start, goal, room: [start, goal],
             0,
         ),
-        (
-            "there is a shorter route: a step to a side counts 1, to a corner the square root of 2",
-            lambda start, goal, room: {"longer than": reference(start, goal, room)},
+        (EMPTY, lambda start, goal, room: reference(start, goal, room) or [goal], 0),
+        (EMPTY, lambda start, goal, room: reference(start, goal, room) or {}[goal], 0),
+        mistake(
+            "a step to a corner counts 1.5, and that is too much: it is sqrt(2) long",
+            search(cost=lambda a, b: 1.5 if dist(a, b) > 1 else 1),
             1,
+            where=number(1.5),
+        ),
+        (
+            "there is a shorter route. Perhaps the estimate is too long or became part of a "
+            "length, or it is not the smallest sum that is taken first",
+            lambda *asked: {"longer than": reference(*asked)},
+            0,
         ),
         (
             "that is how long the route is: the cells are wanted",
-            lambda start, goal, room: (
-                sum(dist(a, b) for a, b in pairwise(reference(start, goal, room)))
-                if reference(start, goal, room)
-                else []
-            ),
+            lambda *asked: long(reference(*asked)) if reference(*asked) else [],
             0,
         ),
     ],
@@ -244,10 +281,10 @@ def some_room(task, walls):
     room = set(CELLS)
     for _ in range(walls):
         column, row = task.random.randrange(20), task.random.randrange(20)
-        long = task.random.randrange(3, 9)
-        room -= {(column + i, row) if walls % 2 else (column, row + i) for i in range(long)}
+        size = task.random.randrange(3, 9)
+        room -= {(column + i, row) if walls % 2 else (column, row + i) for i in range(size)}
         column, row = task.random.randrange(20), task.random.randrange(20)
-        room -= {(column, row + i) for i in range(long)}
+        room -= {(column, row + i) for i in range(size)}
     return room
 
 
@@ -295,7 +332,7 @@ def many(task):
 
 @check("The shortest, not only a short one", hint=1)
 def shortest(task):
-    for start, goal, room in chain(drawn_rooms(SMALL_ROOMS), drawn_rooms(LARGER_ROOMS)):
+    for start, goal, room in chain(*map(drawn_rooms, (SMALL_ROOMS, LARGER_ROOMS, TWO_ROUTES))):
         task.call(find_way, start, goal, room)
     for share in (0.7, 0.8, 0.9):
         room = set(task.random.sample(sorted(CELLS), round(share * len(CELLS))))

@@ -2,7 +2,7 @@
 # A way round
 #
 # The red dot can't be reached in a straight line.
-# Your function finds the shortest way through the cells
+# Your function finds the shortest route through the cells
 # with room: a green line.
 
 from bugbot import *
@@ -18,13 +18,13 @@ CORNERS = [(-1, -1), (1, -1), (-1, 1), (1, 1)]
 
 # ---- your part ----
 def find_way(start, goal, room):
-    """The shortest way from cell to cell: a list of cells.
+    """The shortest route from cell to cell: a list of cells.
 
     start, goal: cells (column, row), both in room. room: a
     set of cells. A step goes to one of the eight cells
     around. A step to a corner is only allowed if both cells
     beside it have room too. The list begins with start and ends
-    with goal. It is empty if there is no way.
+    with goal. It is empty if there is no route.
     """
     length, before = {start: 0}, {start: None}
     waiting = [(dist(start, goal), start)]
