@@ -1,7 +1,7 @@
 """add_scan(log_odds, x, y, facing, readings): eight beams, each at its own angle.
 
-Each clear length is a whole number of steps, so that a beam of one's own which goes on
-while it is nearer agrees with int(clear / step). The program turns by 45 degrees itself, so
+Each clear length is a whole number of steps, so that any sound count of steps in a
+beam of one's own gives the same. The program turns by 45 degrees itself, so
 heading() is 45 when the function is called.
 """
 
@@ -24,7 +24,7 @@ def by(turned=lambda facing, angle: facing + angle, which=slice(None), at=lambda
 
 
 def by_fixed_angles(log_odds, x, y, facing, readings):
-    pairs = [(angle, reading) for angle, (_, reading) in zip(FAN, readings, strict=True)]
+    pairs = [(FAN[0] + 5.625 * i, reading) for i, (_, reading) in enumerate(readings)]
     by()(log_odds, x, y, facing, pairs)
 
 
@@ -126,6 +126,13 @@ def right(task):
 def other_angles(task):
     readings = [[-70.0 + 20 * i, 30.0 + 2.5 * i] for i in range(8)]
     task.call(add_scan, EMPTY, 101.0, 92.5, 10, readings)
+
+
+@check("Three beams, and eleven", hint=0)
+def other_numbers(task):
+    for number in (3, 11):
+        readings = [[-50.0 + 10 * i, 30.0 + 2.5 * i] for i in range(number)]
+        task.call(add_scan, EMPTY, 101.0, 92.5, 75, readings)
 
 
 @check("Any heading, and a map that has been begun", hint=1)

@@ -40,7 +40,7 @@ def add_beam(log_odds, x, y, angle, reading):
     dy = math.cos(math.radians(angle))
     step = CELL / 2
     clear = reading - CELL if reading < FAR else FAR
-    evidence = [(i * step, L_FREE) for i in range(int(clear / step))]
+    evidence = [(i * step, L_FREE) for i in range(math.ceil(clear / step))]
     if reading < FAR:
         evidence.append((reading, L_OCC))
     for along, weight in evidence:
