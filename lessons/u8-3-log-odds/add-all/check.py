@@ -1,10 +1,23 @@
 """add_all(grid, rows, columns, evidence, limit): NumPy adds to many cells at once."""
 
-from grader import calls, check, code, either, function, loops, mistake, near, number, reads
+from grader import (
+    calls,
+    check,
+    code,
+    either,
+    function,
+    in_words,
+    loops,
+    mistake,
+    near,
+    number,
+    operator,
+    reads,
+)
 
 
 def clamped(grid, low, high):
-    return [[max(low, min(high, l)) for l in row] for row in grid]
+    return [[float(max(low, min(high, l))) for l in row] for row in grid]
 
 
 def added(grid, rows, columns, evidence):
@@ -63,10 +76,69 @@ def between(low, high):
 
 NO_LIMIT = 1e9
 
+
+def within(numbers, grid):
+    """NumPy's error, if one of the numbers is no row of the grid."""
+    for number_of_row in numbers:
+        if number_of_row >= len(grid):
+            size = f"axis 0 with size {len(grid)}"
+            raise IndexError(f"index {number_of_row} is out of bounds for {size}")
+
+
+def swapped(grid, rows, columns, evidence, limit):
+    within(columns, grid)
+    return add_each(grid, columns, rows, evidence, limit)
+
+
+def whole_rows(grid, rows, evidence, limit):
+    out = [list(row) for row in grid]
+    for row in rows:
+        out[row] = [l + evidence for l in out[row]]
+    return clamped(out, -limit, limit)
+
+
+def both_as_rows(grid, rows, columns, evidence, limit):
+    within([*rows, *columns], grid)
+    return whole_rows(grid, [*rows, *columns], evidence, limit)
+
+
+def turned_over(*asked):
+    return [list(line) for line in zip(*add_each(*asked))]
+
+
+def breaks_off(error):
+    """What a mistake answers that never comes to an answer."""
+
+    def answer(*_):
+        raise error
+
+    return answer
+
+
+def first_apart(expected, got):
+    """The first cell that is wrong; None where the answer is no grid of this size."""
+    size = [len(line) for line in expected]
+    if not isinstance(got, list) or [len(line) for line in got if isinstance(line, list)] != size:
+        return None
+    cells = [
+        (row, column, right, got[row][column])
+        for row, line in enumerate(expected)
+        for column, right in enumerate(line)
+    ]
+    if not all(isinstance(wrong, int | float) for *_, wrong in cells):
+        return None
+    cells = [each for each in cells if abs(each[2] - each[3]) > 0.0001]
+    if not cells:
+        return None
+    row, column, right, wrong = cells[0]
+    others = f"; {len(cells)} cells are wrong" if len(cells) > 1 else ""
+    return f"{right:g} in row {row}, column {column}", f"{wrong:g} there{others}"
+
+
 add_all = function(
     "add_all(grid, rows, columns, evidence, limit)",
     add_each,
-    compare=near(0.0001),
+    compare=in_words(near(0.0001), first_apart),
     mistakes=[
         mistake(
             "a repeated cell counted once: grid[rows, columns] += evidence does that; np.add.at() "
@@ -94,9 +166,7 @@ add_all = function(
         ),
         (
             "row and column are the wrong way round: it is grid[row, column], with the row first",
-            lambda grid, rows, columns, evidence, limit: add_each(
-                grid, columns, rows, evidence, limit
-            ),
+            swapped,
             0,
         ),
         (
@@ -197,6 +267,53 @@ add_all = function(
             pairs_of_all,
             0,
         ),
+        mistake(
+            "the list of both names whole rows: give NumPy a pair in round brackets, "
+            "(rows, columns)",
+            both_as_rows,
+            2,
+            where=code("[rows, columns]"),
+        ),
+        (
+            "the evidence went to whole rows: grid[row] is a row, grid[row, column] a cell",
+            lambda grid, rows, columns, evidence, limit: whole_rows(grid, rows, evidence, limit),
+            0,
+        ),
+        mistake(
+            "only the first cell got its evidence: a return inside the loop ends the function at "
+            "once",
+            lambda grid, rows, columns, evidence, limit: add_each(
+                grid, rows[:1], columns[:1], evidence, limit
+            ),
+            1,
+            where=loops(),
+        ),
+        mistake(
+            "the last cell that is named got nothing: the loop ends one too soon",
+            lambda grid, rows, columns, evidence, limit: add_each(
+                grid, rows[:-1], columns[:-1], evidence, limit
+            ),
+            1,
+            where=(loops(), operator("-")),
+        ),
+        (
+            "rows and columns of the answer have changed places: leave out what turns it over",
+            turned_over,
+            0,
+        ),
+        mistake(
+            "np.add.at() changes the grid itself and gives back None: leave out the `grid =` "
+            "before it",
+            breaks_off(TypeError("'>=' not supported between instances of 'NoneType' and 'int'")),
+            2,
+            where=code("_ = np.add.at(_, _, _)"),
+        ),
+        mistake(
+            "np.add.at() wants rows and columns as one pair: (rows, columns) in brackets",
+            breaks_off(TypeError("at() takes at most 3 arguments (4 given)")),
+            2,
+            where=code("np.add.at(_, _, _, _)"),
+        ),
     ],
 )
 
@@ -227,9 +344,18 @@ def at_the_end(task):
     task.call(add_all, [[5, 0], [0, 0]], [0, 0], [0, 0], -0.4, 4, gives=[[4, 0], [0, 0]])
 
 
+@check("A grid that is not square", hint=0)
+def oblong(task):
+    task.call(add_all, [[0, 0, 9], [0, 0, -9]], [1, 0, 1], [0, 1, 1], 0.85, 8)
+    task.call(add_all, [[0, 0], [0, 0], [9, -9]], [1, 0, 1], [0, 1, 1], -0.4, 8)
+    task.call(add_all, [[0] * 45, [9] * 45, [-9] * 45], [0, 2, 0], [1, 0, 44], 0.85, 8)
+
+
 @check("Many cells", hint=1)
 def many(task):
-    cells = range(6)
-    grid = [[round(task.random.uniform(-3, 3), 1) for _ in cells] for _ in cells]
-    rows, columns = ([task.random.choice(cells) for _ in range(30)] for _ in range(2))
-    task.call(add_all, grid, rows, columns, -0.4, 3)
+    for _ in range(2):
+        grid = [[round(task.random.uniform(-3, 3), 1) for _ in range(3)] for _ in range(3)]
+        # Four cells, of which two share a row, and the first of them again at the end.
+        cells = task.random.sample([(row, column) for row in range(3) for column in range(3)], 4)
+        rows, columns = map(list, zip(*cells, cells[0]))
+        task.call(add_all, grid, rows, columns, -0.405, 3)
