@@ -10,7 +10,9 @@ test.beforeEach(async ({ app }) => {
   await app.runToEnd(LOOK_ROUND);
 });
 
-test("the slider goes to any moment, by keyboard", { tag: "@once" }, async ({ app, page }) => {
+test("the slider goes to any moment, by keyboard, and step by what the program did", {
+  tag: "@once",
+}, async ({ app, page }) => {
   await app.time.focus();
   await page.keyboard.press("Home");
   await expect(app.time).toHaveAttribute("aria-valuetext", "0.0 s");
@@ -23,15 +25,18 @@ test("the slider goes to any moment, by keyboard", { tag: "@once" }, async ({ ap
   await page.keyboard.press("End");
   await expect(app.time).toHaveAttribute("aria-valuetext", "2.0 s");
   await expect(app.console).toContainText("looked round");
-});
 
-test("step goes by what the program did, both ways", { tag: "@once" }, async ({ app }) => {
   await app.stepBack.click();
   await expect(app.time).toHaveAttribute("aria-valuetext", "1.5 s");
   await app.stepBack.click();
   await expect(app.time).toHaveAttribute("aria-valuetext", "1.0 s");
   await app.step.click();
   await expect(app.time).toHaveAttribute("aria-valuetext", "1.5 s");
+
+  // The speed is remembered.
+  await app.speed.selectOption("8×");
+  await page.reload();
+  await expect(app.speed).toHaveValue("8");
 });
 
 test("play runs to the end and is Play again; the line being carried out is marked", async ({
@@ -46,10 +51,4 @@ test("play runs to the end and is Play again; the line being carried out is mark
   await expect(app.play).toBeVisible();
   await expect(app.time).toHaveAttribute("aria-valuetext", "2.0 s");
   await expect(page.locator(".cm-playing")).toBeHidden();
-});
-
-test("the speed is remembered", { tag: "@once" }, async ({ app, page }) => {
-  await app.speed.selectOption("8×");
-  await page.reload();
-  await expect(app.speed).toHaveValue("8");
 });

@@ -28,16 +28,24 @@ const TYPED = [
   ],
 ] as const;
 
-test("typed slowly, with the completion list at work", { tag: "@once" }, async ({ app, page }) => {
-  test.slow();
-  await app.openLab("world=empty");
-  for (const [name, typed] of TYPED) {
-    await test.step(name, async () => {
-      const there = await typePiece(page, { name, before: "", typed, after: "" }, SLOW_MS);
-      expect.soft(there, name).toBe(typed);
-    });
-  }
-});
+for (const { which, tag, texts } of [
+  { which: "every other text", tag: ["@once"], texts: TYPED.filter((_text, at) => at % 2 === 1) },
+  { which: "all texts", tag: ["@long"], texts: TYPED },
+]) {
+  test(`typed slowly, with the completion list at work: ${which}`, { tag }, async ({
+    app,
+    page,
+  }) => {
+    test.slow();
+    await app.openLab("world=empty");
+    for (const [name, typed] of texts) {
+      await test.step(name, async () => {
+        const there = await typePiece(page, { name, before: "", typed, after: "" }, SLOW_MS);
+        expect.soft(there, name).toBe(typed);
+      });
+    }
+  });
+}
 
 test("parts of solutions, typed", { tag: "@once" }, async ({ app, page }) => {
   test.setTimeout(120_000);
