@@ -25,6 +25,7 @@ export function bareGlobals(): object {
  */
 export function lockDown(hear: (text: string) => void): string[] {
   const scope: object = globalThis;
+  hearStrayErrors(hear);
   giveOurOwn(scope, hear);
   const left = removeAllBut(ALLOWED, scope);
   for (
@@ -44,6 +45,21 @@ export function lockDown(hear: (text: string) => void): string[] {
   }
   Reflect.preventExtensions(scope);
   return left;
+}
+
+/**
+ * An error in a promise or a timer that a program has left behind would be told in the page's console,
+ * in the program's own words. Node has no such events, and ends the process.
+ */
+function hearStrayErrors(hear: (text: string) => void): void {
+  if (typeof addEventListener !== "function") return;
+  for (const kind of ["error", "unhandledrejection"]) {
+    addEventListener(kind, (event) => {
+      event.preventDefault();
+      // No part of it is looked at: it may be an object of the program's.
+      hear("An error that nobody has caught");
+    });
+  }
 }
 
 /** Removes what is not allowed; returns the names of what could not be removed. */
