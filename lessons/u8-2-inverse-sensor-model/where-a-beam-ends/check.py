@@ -3,9 +3,9 @@
 The robot faces 20 degrees meanwhile, so that a heading which is added to the angle shows.
 """
 
-from math import cos, degrees, radians, sin
+from math import cos, degrees, pi, radians, sin
 
-from grader import calls, check, function, mistake, near, reads
+from grader import calls, check, code, function, mistake, near, number, operator, reads
 from mapping.beam import end_of_beam as right_end
 
 
@@ -25,6 +25,11 @@ def cosine(angle):
     return cos(radians(angle))
 
 
+def turned(change):
+    """What a mistake answers that changes the angle."""
+    return lambda x, y, angle, reading: right_end(x, y, change(angle), reading)
+
+
 def rounded(change):
     """What a mistake answers that changes both numbers of the right point."""
     return lambda *asked: tuple(map(change, right_end(*asked)))
@@ -38,8 +43,14 @@ TURNED = (
 end_of_beam = function(
     "end_of_beam(x, y, angle, reading)",
     right_end,
-    compare=near(0.01, "cm"),
+    compare=near(1e-6, "cm"),
     mistakes=[
+        mistake(
+            "90 - angle goes with cosine for x and sine for y: leave one of the two changes out",
+            by(cosine, sine),
+            0,
+            where=code("90 - angle"),
+        ),
         mistake(
             "sine and cosine are the wrong way round: the angle is clockwise from straight up the "
             "mat, so x goes by sine and y by cosine",
@@ -79,12 +90,14 @@ end_of_beam = function(
             where=calls("cos"),
         ),
         (
-            "y was taken to grow downwards: on the mat y grows upwards, so add",
+            "y was taken to grow downwards: on the mat y grows upwards; look at the signs of the "
+            "angle and of y",
             lambda x, y, angle, reading: right_end(x, y, 180 - angle, reading),
             0,
         ),
         (
-            "the beam goes backwards: add to x and to y, don't subtract",
+            "the beam goes backwards: look at the signs of x and y, and at what is added to the "
+            "angle",
             lambda x, y, angle, reading: right_end(x, y, angle + 180, reading),
             2,
         ),
@@ -106,7 +119,8 @@ end_of_beam = function(
             where=reads("START"),
         ),
         (
-            "the angle was taken anticlockwise: a positive angle points to the right, so add to x",
+            "the angle was taken anticlockwise: a positive angle points to the right; look at the "
+            "signs of the angle and of x",
             lambda x, y, angle, reading: right_end(x, y, -angle, reading),
             0,
         ),
@@ -151,6 +165,75 @@ end_of_beam = function(
         (ROUNDED, rounded(round), 2),
         (ROUNDED, rounded(int), 2),
         (ROUNDED, rounded(lambda value: round(value, 1)), 2),
+        (ROUNDED, rounded(lambda value: round(value, 2)), 2),
+        (ROUNDED, rounded(lambda value: round(value, 3)), 2),
+        mistake(
+            "the sign of the angle was lost: -30 is 30 degrees to the left of straight up",
+            turned(abs),
+            0,
+            where=calls("abs", "fabs"),
+        ),
+        mistake(
+            "a full turn is 360 degrees, not 180; sine and cosine take any angle as it is",
+            turned(lambda angle: angle % 180),
+            0,
+            where=(operator("%"), number(180)),
+        ),
+        mistake(
+            "a full turn is 360 degrees, not 180; sine and cosine take any angle as it is",
+            turned(lambda angle: angle + 180 if angle < 0 else angle),
+            0,
+            where=number(180),
+        ),
+        mistake(
+            "beyond 180 the angle was folded back to the right: sine and cosine take any angle as "
+            "it is",
+            turned(lambda angle: 360 - angle if angle > 180 else angle),
+            0,
+            where=number(180),
+        ),
+        mistake(
+            "the angle was cut to whole degrees: use it as it is given",
+            turned(int),
+            1,
+            where=calls("int"),
+        ),
+        mistake(
+            "pi is typed in with too few digits: use math.pi or math.radians()",
+            turned(lambda angle: angle * 3.14 / pi),
+            1,
+            where=number(3.14),
+        ),
+        mistake(
+            "pi is typed in with too few digits: use math.pi or math.radians()",
+            turned(lambda angle: angle * 3.1416 / pi),
+            1,
+            where=number(3.1416),
+        ),
+        (
+            "y was left out where the beam began: add it to end_y",
+            lambda x, y, angle, reading: (
+                x + reading * sine(angle),
+                reading * cosine(angle),
+            ),
+            2,
+        ),
+        (
+            "x was left out where the beam began: add it to end_x",
+            lambda x, y, angle, reading: (
+                reading * sine(angle),
+                y + reading * cosine(angle),
+            ),
+            2,
+        ),
+        (
+            "y goes on from where x ended: the second sum begins with y",
+            lambda x, y, angle, reading: (
+                x + reading * sine(angle),
+                x + reading * sine(angle) + reading * cosine(angle),
+            ),
+            2,
+        ),
         (
             "a cell was taken off the reading: the beam ended at the full reading",
             lambda x, y, angle, reading: right_end(x, y, angle, reading - 5),
@@ -182,7 +265,13 @@ def down_and_left(task):
 
 @check("30 degrees to the right of straight up", hint=1)
 def slanting(task):
-    ask(task, 20, 10, 30, 100, gives=(70, 96.6025))
+    ask(task, 20, 10, 30, 100, gives=(70, 96.602540378))
+
+
+@check("Angles below 0 and above 360", hint=1)
+def any_angle(task):
+    for angle in (-30, -150, -400, 400, 760):
+        ask(task, 100, 50, angle, 40)
 
 
 @check("Beams in all directions", hint=2)
