@@ -1,12 +1,34 @@
 """centre_of(column, row): the middle of a cell in cm, with cells of several sizes."""
 
 from bugbot.frames import cell_centre
-from grader import calls, check, either, function, mistake, near, number, operator
+from grader import calls, check, code, either, function, mistake, near, number, operator
 
 
 def each(change):
     """What a mistake answers that treats column and row alike."""
     return lambda column, row: (change(column), change(row))
+
+
+def one_axis(text, change, hint, side=10, where=()):
+    """The mistake of an axis that goes by `change`, while the other one is right."""
+
+    def right(number):
+        return (number + 0.5) * side
+
+    return (
+        mistake(
+            f"x is right, y is not: {text}",
+            lambda column, row: (right(column), change(row)),
+            hint,
+            where=where,
+        ),
+        mistake(
+            f"y is right, x is not: {text}",
+            lambda column, row: (change(column), right(row)),
+            hint,
+            where=where,
+        ),
+    )
 
 
 def with_cells_of(side, mistakes):
@@ -18,9 +40,11 @@ def with_cells_of(side, mistakes):
     )
 
 
+BRACKETS = "only the half was multiplied by CELL; put brackets round the sum"
+
 HALF_DROPPED = (
-    "the half centimetre is missing: half of 7 cm is 3.5 cm, and //, int() and round() make a "
-    "whole number of it; divide with /"
+    "the half centimetre is missing: half of 7 cm is 3.5 cm, and //, int(), round() and "
+    "math.ceil() make a whole number of it; divide with /"
 )
 
 centre_of = with_cells_of(
@@ -54,16 +78,17 @@ centre_of = with_cells_of(
             each(lambda number: number + 5),
             2,
         ),
+        mistake(
+            "the cell's beginning was halved as well: add 0.5, not 1, and don't halve the rest",
+            each(lambda number: (number * 10 + 10) / 2),
+            2,
+            where=code("_ + 1", "1 + _"),
+        ),
         (
             "the cell's beginning was halved as well: only the last CELL in the sum is to be "
             "halved, column * CELL + CELL / 2",
             each(lambda number: (number * 10 + 10) / 2),
             2,
-        ),
-        (
-            "the half was added to x only: the middle is half a cell further up as well",
-            lambda column, row: (column * 10 + 5, row * 10),
-            1,
         ),
         (
             "that is the upper right corner of the cell: a complete cell was added, not half of "
@@ -72,7 +97,8 @@ centre_of = with_cells_of(
             1,
         ),
         (
-            "half a cell too low: column 0 begins at x = 0, so its middle is half a cell further",
+            "a whole cell too low: columns count from 0, so the middle of column 0 is half a cell "
+            "to the right of x = 0",
             each(lambda number: (number - 0.5) * 10),
             1,
         ),
@@ -86,6 +112,27 @@ centre_of = with_cells_of(
             "y was counted from the top: rows count from the bottom of the mat, and so does y",
             lambda column, row: (column * 10 + 5, 195 - row * 10),
             0,
+        ),
+        *one_axis(
+            "that is the edge of the cell, and its middle is half a cell further",
+            lambda number: number * 10,
+            1,
+        ),
+        *one_axis(BRACKETS, lambda number: number + 5, 2),
+        *one_axis(
+            "half a centimetre was added, not half a cell",
+            lambda number: number * 10 + 0.5,
+            2,
+        ),
+        *one_axis(
+            "a complete cell was added, not half of one", lambda number: (number + 1) * 10, 1
+        ),
+        mistake(
+            "a centimetre was taken off the far edge: a cell reaches from column * CELL to "
+            "(column + 1) * CELL",
+            each(lambda number: number * 10 + 4.5),
+            1,
+            where=number(1),
         ),
     ],
 )
@@ -108,6 +155,14 @@ CELLS_OF_7 = with_cells_of(
             2,
             where=number(5),
         ),
+        *one_axis(HALF_TYPED_IN, lambda number: number * 7 + 5, 2, side=7, where=number(5)),
+        *one_axis(
+            HALF_DROPPED,
+            lambda number: number * 7 + 3,
+            1,
+            side=7,
+            where=either(operator("//"), calls("int", "round", "floor")),
+        ),
         mistake(
             HALF_DROPPED,
             each(lambda number: number * 7 + 3),
@@ -118,7 +173,7 @@ CELLS_OF_7 = with_cells_of(
             HALF_DROPPED,
             each(lambda number: number * 7 + 4),
             1,
-            where=either(operator("//"), calls("int", "round", "floor")),
+            where=either(operator("//"), calls("int", "round", "ceil")),
         ),
         mistake(
             HALF_DROPPED,

@@ -1,4 +1,4 @@
-# earns: half a cell too low
+# earns: a whole cell too low
 # Centre of a cell
 #
 # Write centre_of, then press Run. There

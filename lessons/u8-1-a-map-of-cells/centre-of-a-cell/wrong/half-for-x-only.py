@@ -1,4 +1,4 @@
-# earns: added to x only
+# earns: x is right, y is not: that is the edge
 # Centre of a cell
 #
 # Write centre_of, then press Run. There
