@@ -5,7 +5,7 @@ The robot faces 20 degrees meanwhile, so that a heading which is added to the an
 
 from math import ceil, degrees, floor
 
-from grader import calls, check, function, mistake, number, operator
+from grader import calls, check, code, function, mistake, number, operator
 from mapping.beam import end_of_beam
 
 CELL, ACROSS = 5, 40
@@ -116,13 +116,20 @@ cells_passed = function(
             1,
         ),
         mistake(
+            "90 - angle goes with cosine for x and sine for y: leave one of the two changes out",
+            along(lambda angle: 90 - angle),
+            1,
+            where=code("90 - angle"),
+        ),
+        mistake(
             "sine and cosine are the wrong way round: x goes by sine, y by cosine",
             along(lambda angle: 90 - angle),
             1,
             where=(calls("sin"), calls("cos")),
         ),
         (
-            "the beam goes backwards: add to x and to y, don't subtract",
+            "the beam goes backwards: look at the signs of x and y, and at what is added to the "
+            "angle",
             along(lambda angle: angle + 180),
             1,
         ),

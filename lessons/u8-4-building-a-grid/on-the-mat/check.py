@@ -96,7 +96,12 @@ SLIPS = [
         2,
         which=slice(-1, None),
     ),
-    slip("y was taken to grow downwards: on the mat y grows upwards, so add", 2, up=-1),
+    slip(
+        "y was taken to grow downwards: on the mat y grows upwards; look at the signs of the angle "
+        "and of y",
+        2,
+        up=-1,
+    ),
     slip("the angle was subtracted: angles are positive to the right, so add it", 1, fan=-1),
     slip(
         "the heading is left out: a beam's direction is heading() + angle",
