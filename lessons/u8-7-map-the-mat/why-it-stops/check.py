@@ -41,8 +41,47 @@ def beyond(driven, lengths):
     return driven + min(lengths) > WAY
 
 
-def other_order(seconds, driven, regions, ways):
+def time_second(seconds, driven, regions, ways):
     return by()(seconds, driven, regions, ways) if regions else "no frontier is left"
+
+
+def way_second(seconds, driven, regions, ways):
+    right = by()(seconds, driven, regions, ways)
+    return "the rest is too far" if driven > WAY and right != "time is up" else right
+
+
+def reach_before_size(seconds, driven, regions, ways, dropped=False):
+    """With dropped, regions that can't be reached are left out for the questions after it."""
+    pairs = [(size, way) for size, way in zip(regions, ways, strict=True) if way is not None]
+    if dropped or not pairs:
+        right = by()(seconds, driven, [size for size, _ in pairs], [way for _, way in pairs])
+        none = regions and right == "no frontier is left"
+        return "no frontier can be reached" if none else right
+    return by()(seconds, driven, regions, ways)
+
+
+def one_of_each_size(seconds, driven, regions, ways):
+    last = dict(zip(regions, ways, strict=True))
+    return by()(seconds, driven, list(last), list(last.values()))
+
+
+def with_capital(which, none):
+    """The right words but for a capital letter, in one of the reasons or in all of them."""
+
+    def answer(*asked):
+        right = by()(*asked)
+        return none if right is None else right.capitalize() if right in which else right
+
+    return answer
+
+
+WORDS = (
+    "time is up",
+    "no frontier is left",
+    "only small frontiers are left",
+    "no frontier can be reached",
+    "the rest is too far",
+)
 
 
 reason = function(
@@ -56,7 +95,7 @@ reason = function(
             1,
         ),
         (
-            "the way to a region that is too small counts: leave such regions out first",
+            "the way to a region that is too small is counted, too: leave such regions out first",
             by(reached=lambda _worth, ways: [way for way in ways if way is not None]),
             1,
         ),
@@ -66,12 +105,31 @@ reason = function(
             2,
         ),
         (
-            "one region that can't be reached is enough to stop: another one may be",
+            "it stops as soon as one region can't be reached; another one may still be reachable",
             by(unreachable=lambda worth: None in worth),
             1,
         ),
+        (
+            "it stops as soon as one region can't be reached or is too far; "
+            "another one may still be within reach",
+            by(
+                unreachable=lambda worth: None in worth,
+                over=lambda driven, lengths: driven + max(lengths) > WAY,
+            ),
+            1,
+        ),
+        (
+            "only the first region that is large enough is asked: go through all of them",
+            by(reached=lambda worth, ways: found(worth[:1], ways)),
+            1,
+        ),
+        (
+            "of regions of one size only the last counts: each has a way of its own",
+            one_of_each_size,
+            1,
+        ),
         mistake(
-            "a way of 0 cm looks taken for none: ask `is not None`",
+            "a way of 0 cm is taken for no way at all: ask `is not None`",
             by(reached=lambda worth, _ways: [way for way in worth if way]),
             2,
             where=lacks(code("_ is not None")),
@@ -87,6 +145,11 @@ reason = function(
             2,
         ),
         (
+            "with exactly MAX_WAY driven a way of 0 cm can be afforded: only more is too far",
+            by(over=lambda driven, lengths: driven >= WAY or beyond(driven, lengths)),
+            2,
+        ),
+        (
             "what has been driven so far is left out: it counts, too",
             by(over=lambda _driven, lengths: min(lengths) > WAY),
             2,
@@ -96,7 +159,27 @@ reason = function(
             by(large=lambda size: size > LEAST),
             1,
         ),
-        ("the order of the questions: time comes first", other_order, 0),
+        ("the order of the questions: time comes first", time_second, 0),
+        ("the order of the questions: whether the rest is too far comes last", way_second, 0),
+        *(
+            (
+                "the order of the questions: whether all are small comes before the way there",
+                lambda *asked, dropped=dropped: reach_before_size(*asked, dropped),
+                0,
+            )
+            for dropped in (False, True)
+        ),
+        (
+            '"None" in quotes is a text: return None without them',
+            with_capital((), none="None"),
+            0,
+        ),
+        *(
+            ("only a capital letter differs: copy the words as they are", answer, 0)
+            for none in (None, "None")
+            for which in (WORDS, *((words,) for words in WORDS))
+            for answer in [with_capital(which, none)]
+        ),
     ],
 )
 
@@ -138,6 +221,7 @@ def plain(task):
 @check("Only small ones", hint=1)
 def small(task):
     task.call(reason, 60, 500, [3, 1], [30, 80], gives="only small frontiers are left")
+    task.call(reason, 60, 500, [3, 1], [None, None], gives="only small frontiers are left")
     task.call(reason, 60, 500, [3, 12], [30, 80], gives=None)
     task.call(reason, 60, 500, [4], [30], gives=None)
 
@@ -147,6 +231,8 @@ def reach(task):
     task.call(reason, 60, 500, [3, 9], [30, None], gives="no frontier can be reached")
     task.call(reason, 60, 500, [8, 9], [None, 70], gives=None)
     task.call(reason, 60, 500, [8], [0], gives=None)
+    task.call(reason, 60, 500, [9, 9], [70, None], gives=None)
+    task.call(reason, 60, 500, [9, 9], [None, 70], gives=None)
 
 
 @check("Too far", hint=2)
@@ -154,6 +240,16 @@ def far(task):
     task.call(reason, 60, 1550, [3, 9, 20], [30, 90, 140], gives="the rest is too far")
     task.call(reason, 60, 1480, [9, 20], [90, 140], gives=None)
     task.call(reason, 60, 1510, [9], [90], gives=None)
+    task.call(reason, 60, 1600, [9], [0], gives=None)
+    task.call(reason, 60, 1601, [9], [0], gives="the rest is too far")
+
+
+@check("Too far, and another reason before it", hint=0)
+def too_far_already(task):
+    task.call(reason, 200, 1700, [9], [90], gives="time is up")
+    task.call(reason, 60, 1700, [], [], gives="no frontier is left")
+    task.call(reason, 60, 1700, [2], [30], gives="only small frontiers are left")
+    task.call(reason, 60, 1700, [9], [None], gives="no frontier can be reached")
 
 
 @check("Many moments", hint=2)

@@ -1,4 +1,4 @@
-# earns: one region that can't be reached
+# earns: it stops as soon as one region can't be reached;
 # Why it stops
 #
 # An explorer must come to an end, and say why. These are

@@ -1,4 +1,4 @@
-# earns: the order
+# earns: time comes first
 # Why it stops
 #
 # An explorer must come to an end, and say why. These are

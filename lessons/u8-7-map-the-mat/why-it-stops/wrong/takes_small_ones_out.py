@@ -1,4 +1,4 @@
-# earns: have to stay as they were
+# earns: regions has to stay as it was
 # Why it stops
 #
 # An explorer must come to an end, and say why. These are
