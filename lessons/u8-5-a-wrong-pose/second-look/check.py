@@ -7,16 +7,23 @@ from grader import calls, check, function, mistake, near, number
 FAN = [-19.6875 + 5.625 * i for i in range(8)]
 
 
-def line_by(facing=lambda facing: facing, far=170, mean=True, angle=None):
+def hits(looks, far=170):
+    """Where the hits are, seen from the robot."""
+    return [
+        (reading * sin(radians(facing + angle)), reading * cos(radians(facing + angle)))
+        for facing, readings in looks
+        for angle, reading in readings
+        if reading < far
+    ]
+
+
+def line_by(facing=None, far=170, mean=True, angle=None):
     """The direction of the line through all hits, or a slip of it."""
 
     def wall_direction(looks):
-        points = [
-            (reading * sin(radians(facing(h) + a)), reading * cos(radians(facing(h) + a)))
-            for h, readings in looks
-            for a, reading in readings
-            if reading < far
-        ]
+        if facing:  # the same for all looks
+            looks = [(facing([h for h, _ in looks]), readings) for _, readings in looks]
+        points = hits(looks, far)
         middle_x = sum(x for x, _ in points) / len(points) if mean else 0
         middle_y = sum(y for _, y in points) / len(points) if mean else 0
         sxx = sum((x - middle_x) ** 2 for x, _ in points)
@@ -30,6 +37,21 @@ def line_by(facing=lambda facing: facing, far=170, mean=True, angle=None):
 def by_slope(squares, _, products):
     """The line with the smallest distances straight up: none if the wall runs up the mat."""
     return 90 - degrees(atan(products / squares))
+
+
+def through(two):
+    """The direction of the line through two of the hits."""
+
+    def wall_direction(looks):
+        (x0, y0), (x1, y1) = two(hits(looks))
+        return degrees(atan2(x1 - x0, y1 - y0)) % 180
+
+    return wall_direction
+
+
+def mean_of_lines(looks):
+    """A line for each look, and the mean of their directions."""
+    return sum(line_by()([look]) for look in looks) / len(looks)
 
 
 STRAIGHT_UP = (
@@ -72,9 +94,40 @@ wall_direction = function(
             1,
         ),
         (
-            "the heading is left out: a beam's direction is facing + angle",
-            line_by(facing=lambda facing: 0),
+            STRAIGHT_UP,
+            line_by(angle=lambda a, b, c: by_slope(a, b, c) if a > 1e-6 else 0),
+            1,
+        ),
+        (
+            "first halve the angle, then bring it to between 0 and 180 with % 180",
+            line_by(angle=lambda a, b, c: degrees(atan2(2 * c, b - a)) % 180 / 2),
+            1,
+        ),
+        *(
+            ("only two of the hits count: the line goes through all of them", through(two), 1)
+            for two in (
+                lambda points: (points[0], points[-1]),
+                lambda points: (min(points), max(points)),
+            )
+        ),
+        (
+            "that is the mean of a line for each look: gather the hits of all looks, "
+            "and find one line through them",
+            mean_of_lines,
             0,
+        ),
+        (
+            "the heading is left out: a beam's direction is facing + angle",
+            line_by(facing=lambda facings: 0),
+            0,
+        ),
+        *(
+            ("one facing is used for all looks, but each look has its own", line_by(facing=one), 0)
+            for one in (
+                lambda facings: facings[0],
+                lambda facings: facings[-1],
+                lambda facings: sum(facings) / len(facings),
+            )
         ),
         (
             "distances are from the middle of the points: take the mean of x and of y away first",
@@ -143,11 +196,27 @@ drift_rate = function(
             rate_by(lambda a, b: b - a),
             2,
         ),
+        *(
+            (
+                "the difference is put right one way only: it may be below -90 as well as above 90",
+                rate_by(turned),
+                2,
+            )
+            for turned in (
+                lambda a, b: b - a - 180 if b - a > 90 else b - a,
+                lambda a, b: b - a + 180 if b - a < -90 else b - a,
+            )
+        ),
         mistake(
             "abs() takes the sign away: the drift may go either way, so keep it",
             rate_by(lambda a, b: abs(b - a)),
             2,
             where=calls("abs"),
+        ),
+        (
+            "the sign is lost: a wall that seems to turn left has a drift below 0",
+            rate_by(lambda a, b: abs((b - a + 90) % 180 - 90)),
+            2,
         ),
         (
             "that is the angle, not the rate: divide by the seconds between",
@@ -179,6 +248,12 @@ def across(task):
     task.call(wall_direction, seen(90, 60, 15), gives=90)
 
 
+@check("Looks that face different ways", hint=0)
+def facings(task):
+    task.call(wall_direction, [*seen(40, 60, 130), *seen(40, 60, 165)], gives=40)
+    task.call(wall_direction, [*seen(100, 50, 20), *seen(100, 50, 0), *seen(100, 50, 355)])
+
+
 @check("A wall up the mat, one aslant", hint=1)
 def aslant(task):
     task.call(wall_direction, seen(0, 80, 90))
@@ -187,7 +262,7 @@ def aslant(task):
     task.call(wall_direction, seen(30, 12, 110), gives=30)
 
 
-@check("Noise, and readings of nothing", hint=0)
+@check("Noise, and readings of nothing", hint=1)
 def noisy(task):
     for wall in (20, 75, 140):
         task.call(wall_direction, seen(wall, 115, wall + 62, task.random, times=4))
@@ -204,13 +279,13 @@ def at_far(task):
 @check("The drift between two looks", hint=2)
 def between(task):
     task.call(drift_rate, seen(90, 60, 0), seen(90, 60, 0, added=8), 40, gives=0.2)
-    task.call(drift_rate, seen(40, 60, 140), seen(40, 60, 140, added=-6), 30, gives=-0.2)
+    task.call(drift_rate, seen(40, 60, 140), seen(40, 60, 140, added=-6), 40, gives=-0.15)
 
 
 @check("A wall whose direction passes 0", hint=2)
 def passes(task):
-    task.call(drift_rate, seen(2, 60, 90), seen(2, 60, 90, added=-10), 50, gives=-0.2)
-    task.call(drift_rate, seen(175, 60, 90), seen(175, 60, 90, added=12), 60, gives=0.2)
+    task.call(drift_rate, seen(2, 60, 90), seen(2, 60, 90, added=-10), 40, gives=-0.25)
+    task.call(drift_rate, seen(175, 60, 90), seen(175, 60, 90, added=12), 40, gives=0.3)
 
 
 @check("The drift of a whole run", hint=2)

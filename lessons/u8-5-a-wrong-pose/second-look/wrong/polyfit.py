@@ -1,0 +1,68 @@
+# earns: measured straight up from the line
+# A second look at the same wall
+#
+# The robot looks at the wall, spins for 50 seconds, and
+# looks at the same wall again. If it believes the wall
+# to have turned meanwhile, it is its gyro that drifts.
+
+from bugbot import *
+import math
+
+FAR = 170  # a reading this long or longer found no wall [cm]
+
+
+# ---- your part ----
+import numpy as np
+
+
+def wall_direction(looks):
+    xs, ys = [], []
+    for facing, readings in looks:
+        for angle, reading in readings:
+            if reading < FAR:
+                way = math.radians(facing + angle)
+                xs.append(reading * math.sin(way))
+                ys.append(reading * math.cos(way))
+    if max(xs) - min(xs) < 1e-6:
+        return 0
+    slope = np.polyfit(xs, ys, 1)[0]
+    return (90 - math.degrees(math.atan(slope))) % 180
+
+
+def drift_rate(first, second, seconds):
+    turned = wall_direction(second) - wall_direction(first)
+    return ((turned + 90) % 180 - 90) / seconds
+
+
+# ---- end of your part ----
+
+
+def look(times):
+    """Look so often; each time with the heading that odometry has."""
+    looks = []
+    for each in range(times):
+        looks.append((odometry()[2], scan()))
+        wait(0.1)
+    return looks
+
+
+def show(name, looks, colour):
+    """Where the hits are, seen from the robot's place in the middle."""
+    points = []
+    for facing, readings in looks:
+        for angle, reading in readings:
+            if reading < FAR:
+                way = math.radians(facing + angle)
+                x, y = reading * math.sin(way), reading * math.cos(way)
+                points.append((100 + x, 40 + y))
+    draw(name, points, colour, "dots", 1.5)
+
+
+first = look(20)
+show("first look", first, "blue")
+right(60)  # 72 degrees a second: ten times round
+wait(50)
+stop()
+second = look(20)
+show("second look", second, "red")
+print(f"drift: {drift_rate(first, second, 52):.3f} degrees/s")
