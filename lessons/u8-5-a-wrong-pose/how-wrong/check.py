@@ -1,12 +1,16 @@
 """gap(x, y, real) and wrong_percent(occupied, real): a map held against the truth."""
 
-from math import hypot
+from math import floor, hypot
 
-from grader import calls, check, function, mistake, near, number
+from grader import calls, check, function, mistake, near, number, operator
 from mapping.score import gap_cm
 
 
-def gap_by(edges=True, beside=None, joined=hypot, every=min):
+def nearest_edge(x, y):
+    return min(x, 200 - x, y, 200 - y)
+
+
+def gap_by(edge=nearest_edge, beside=None, joined=hypot, every=min):
     """The distance to the nearest real thing, or a slip of it."""
 
     def ways(low, length, at):
@@ -15,11 +19,25 @@ def gap_by(edges=True, beside=None, joined=hypot, every=min):
     apart = beside or ways
 
     def gap(x, y, real):
-        walls = min(x, 200 - x, y, 200 - y) if edges else 1000
         things = [joined(apart(a, w, x), apart(b, h, y)) for a, b, w, h in real]
-        return every([walls, *things])
+        return every([edge(x, y), *things])
 
     return gap
+
+
+def edge_if_alone(x, y, real):
+    return gap_by(edge=lambda x, y: 1000)(x, y, real) if real else nearest_edge(x, y)
+
+
+def to_corners(x, y, real):
+    """The gap, with the nearest corner of each thing in place of its nearest side."""
+    to_corner = gap_by(beside=lambda low, length, at: min(abs(at - low), abs(at - low - length)))
+    return to_corner(x, y, real) if gap_cm(x, y, real) else 0
+
+
+def of_sizes(size):
+    """The gap to things whose width and height are mistaken for others."""
+    return lambda x, y, real: gap_cm(x, y, [(a, b, *size(w, h)) for a, b, w, h in real])
 
 
 def percent_by(is_wrong=lambda gap: gap > 5, of=len, times=100, answer=float):
@@ -38,10 +56,45 @@ gap = function(
     compare=near(0.01, "cm"),
     leaves=True,
     mistakes=[
+        *(
+            (
+                "the walls round the mat are real too: "
+                "the gap is never more than to the nearest edge",
+                gap_by(edge=lambda x, y, start=start: start),
+                0,
+            )
+            for start in (1000, 9999, float("inf"))
+        ),
         (
-            "the walls round the mat are real too: the gap is never more than to the nearest edge",
-            gap_by(edges=False),
+            "among things the walls round the mat are forgotten: they are always there",
+            edge_if_alone,
             0,
+        ),
+        (
+            "the mat has four walls: the gaps to the others are MAT - x and MAT - y",
+            gap_by(edge=min),
+            0,
+        ),
+        (
+            "the last two numbers of a thing are its width and its height: "
+            "it ends at left + width and at bottom + height",
+            gap_by(beside=lambda low, high, at: max(low - at, 0, at - high)),
+            1,
+        ),
+        (
+            "a thing ends at bottom + height along y: bottom + width is something else",
+            of_sizes(lambda w, h: (w, w)),
+            1,
+        ),
+        (
+            "width and height are swapped: a thing is (left, bottom, width, height)",
+            of_sizes(lambda w, h: (h, w)),
+            1,
+        ),
+        (
+            "the nearest corner was taken: beside a thing its side is nearer",
+            to_corners,
+            1,
         ),
         (
             "that is the distance to the middle of a thing: it begins at its side",
@@ -101,6 +154,18 @@ wrong_percent = function(
             "that is a share from 0 to 1: per cent are a hundred times as many",
             percent_by(times=1),
             2,
+        ),
+        mistake(
+            "// leaves out what comes after the point: / divides and keeps it",
+            percent_by(answer=floor),
+            2,
+            where=operator("//"),
+        ),
+        mistake(
+            "int() leaves out what comes after the point: return the per cent as it is",
+            percent_by(answer=int),
+            2,
+            where=calls("int"),
         ),
         *(
             mistake(
