@@ -1,6 +1,6 @@
 """large_regions(regions, at_least): without the small ones, the largest first."""
 
-from grader import calls, check, exactly, function, in_any_order, mistake, number
+from grader import calls, check, code, exactly, function, in_any_order, mistake, number
 
 
 def kept(regions, at_least):
@@ -9,6 +9,18 @@ def kept(regions, at_least):
 
 def large(regions, at_least):
     return sorted(kept(regions, at_least), key=len, reverse=True)
+
+
+def removed_on_the_way(regions, at_least):
+    left = list(regions)
+    for region in left:
+        if len(region) < at_least:
+            left.remove(region)
+    return large(left, 0)
+
+
+def one_of_each_size(regions, at_least):
+    return large(list({len(region): region for region in regions}.values()), at_least)
 
 
 def ranked(expected, got):
@@ -31,7 +43,30 @@ large_regions = function(
             lambda regions, at_least: large(regions, at_least + 1),
             0,
         ),
+        mistake(
+            "the order is still that of regions: sets have no order by size, "
+            "so sorting wants to know key=len",
+            kept,
+            2,
+            where=code(
+                *("sorted(_)", "sorted(_, reverse=True)", "_.sort()", "_.sort(reverse=True)")
+            ),
+        ),
         ("the order is still that of regions: the largest comes first", kept, 1),
+        mistake(
+            "a region that is too small is left in: "
+            "take nothing out of a list while you walk along it",
+            removed_on_the_way,
+            1,
+            where=calls("remove"),
+        ),
+        *(
+            ("of regions of one size only one is left: all of them are wanted", slip, 1)
+            for slip in (
+                one_of_each_size,
+                lambda regions, at_least: one_of_each_size(regions[::-1], at_least),
+            )
+        ),
         mistake(
             "the smallest comes first: sorted() goes up, unless it is told reverse=True",
             lambda regions, at_least: large(regions, at_least)[::-1],
@@ -96,7 +131,7 @@ def border(task):
 
 @check("The largest first", hint=1)
 def order(task):
-    task.call(large_regions, some_regions(task, [6, 2, 9, 7, 1]), 5)
+    task.call(large_regions, some_regions(task, [6, 2, 1, 9, 7]), 5)
 
 
 @check("Many regions", hint=2)
