@@ -1,6 +1,8 @@
 """find_room(free): the cells on whose middle the robot has room."""
 
-from grader import check, function, lacks, mistake, reads
+from math import hypot
+
+from grader import check, code, function, lacks, mistake, operator, reads
 from mapping.frontiers import State
 from mapping.grid import Grid
 from mapping.planning import room_cells
@@ -35,11 +37,25 @@ def edge_is_open(free):
     }
 
 
-def near_enough(far, cell=5):
+def near_enough(far, cell=5, reach=4, gap=hypot):
     """The cells from which every cell nearer than far is free."""
-    reach = range(-4, 5)
-    steps = [(c, r) for c in reach for r in reach if (c * c + r * r) ** 0.5 * cell < far]
+    ways = range(-reach, reach + 1)
+    steps = [(c, r) for c in ways for r in ways if gap(c, r) * cell < far]
     return lambda free: with_free(free, steps, free)
+
+
+def to_side(c, r):
+    """How far it is to the nearest side of the cell so many steps away."""
+    return hypot(max(abs(c) - 0.5, 0), max(abs(r) - 0.5, 0))
+
+
+def no_half(spare, cell=5):
+    return mistake(
+        "half a cell is left out: the limit is SPARE + CELL / 2",
+        near_enough(spare, cell),
+        0,
+        where=code("_ < SPARE", "_ >= SPARE", "SPARE > _", "SPARE <= _", "_ = SPARE"),
+    )
 
 
 def of(spare, mistakes, cell=5):
@@ -51,9 +67,10 @@ def of(spare, mistakes, cell=5):
 find_room = of(
     6,
     [
+        no_half(6),
         (
-            "only the four sides were asked: a cell at a corner is 7.1 cm away, "
-            "nearer than SPARE + CELL / 2",
+            "a cell at a corner is 7.1 cm away, nearer than SPARE + CELL / 2: "
+            "it has to be free, too",
             near_enough(6),
             0,
         ),
@@ -101,6 +118,24 @@ def others(spare, cell=5):
                 1,
                 where=lacks(reads("SPARE")),
             ),
+            no_half(spare, cell),
+            mistake(
+                "CELL // 2 leaves out what comes after the point: half a cell is CELL / 2",
+                near_enough(spare + cell // 2, cell),
+                0,
+                where=operator("//"),
+            ),
+            (
+                "that is the gap to a cell's side: measure from middle to middle",
+                near_enough(spare, cell, gap=to_side),
+                1,
+            ),
+            (
+                "only steps of up to two cells were tried: "
+                "work out from SPARE and CELL how far they go",
+                near_enough(spare + cell / 2, cell, reach=2),
+                2,
+            ),
             (
                 "only the cells next to it were asked: a larger robot needs more of them clear",
                 near_enough(min(spare + cell / 2, 1.5 * cell), cell),
@@ -111,7 +146,7 @@ def others(spare, cell=5):
     )
 
 
-wide, slim = others(11), others(2)
+wide, slim, huge = others(11), others(2), others(16)
 exact = of(
     7.5,
     [
@@ -153,7 +188,7 @@ def empty(task):
 
 @check("Boxes all about", hint=2)
 def boxes(task):
-    for _ in range(3):
+    for _ in range(2):
         task.call(find_room, some_floor(task))
 
 
@@ -165,6 +200,9 @@ def sizes(task):
     task.call(slim, some_floor(task))
     task.set("SPARE", 4.8)
     task.call(close, some_floor(task))
+    task.set("SPARE", 16)
+    hall = {(column, row) for column in range(20) for row in range(16)}
+    task.call(huge, hall - {(9, 7)})
 
 
 @check("A cell just far enough away", hint=0)

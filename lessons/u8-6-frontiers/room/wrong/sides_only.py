@@ -1,4 +1,4 @@
-# earns: only the four sides were asked
+# earns: a cell at a corner is 7.1 cm away
 # Room for the robot
 #
 # The robot is a disc of 5 cm, and the map has cells. On
