@@ -1,4 +1,4 @@
-# earns: int() rounds -0.4 to 0
+# earns: int() cuts -0.5 off to 0
 # The best pose near the guess
 #
 # The robot turns once and makes a map. Then it looks
