@@ -4,7 +4,7 @@ Every reading is such that it makes no difference whether a last, shorter step i
 """
 
 from bugbot.frames import cell_of
-from grader import check, exactly, function, mistake, number
+from grader import calls, check, exactly, function, in_words, mistake, number
 from mapping.beam import end_of_beam
 
 CELL, FAR = 5, 170
@@ -42,6 +42,28 @@ def same(expected, got):
         return False
 
 
+def named(cells):
+    """Some cells in words, the first few of many."""
+    shown = ", ".join(str(cell) for cell in sorted(cells)[:4])
+    more = f" and {len(cells) - 4} more" if len(cells) > 4 else ""
+    return shown + more
+
+
+def apart(expected, got):
+    """What is wrong with the free cells or with the hit, in words."""
+    try:
+        (right_free, right_hit), (free, hit) = expected, got
+        wanted, there = {key(cell) for cell in right_free}, {key(cell) for cell in free}
+        missing, extra = wanted - there, there - wanted
+        if missing:
+            return f"{named(missing)} among the free cells", "missing there"
+        if extra:
+            return f"{len(wanted)} free cells", f"also {named(extra)}, which should not be there"
+    except (TypeError, ValueError):
+        return None
+    return f"{right_hit} as the hit", f"{hit}"
+
+
 def otherwise(**changed):
     """What a mistake answers that takes a reading otherwise."""
     return lambda *asked: says(*asked, **changed)
@@ -57,12 +79,22 @@ def hit_instead(nothing):
     return answer
 
 
+def with_hit_free(added):
+    """What a mistake answers that counts the cell hit among the free ones as well."""
+
+    def answer(*asked):
+        free, hit = says(*asked)
+        return ([*free, hit] if added(hit, asked[-1]) else free), hit
+
+    return answer
+
+
 NO_CELL = "where nothing was found, hit is None: the program asks for just that"
 
 beam_says = function(
     "beam_says(x, y, angle, reading)",
     says,
-    compare=same,
+    compare=in_words(same, apart),
     mistakes=[
         (
             "the maximum was taken for a wall: a reading of FAR or more means that nothing was "
@@ -113,13 +145,13 @@ beam_says = function(
             1,
         ),
         (
-            "a reading of exactly FAR was taken for a wall: FAR or more is none",
+            "a reading of exactly FAR was taken for a wall: FAR or more is no hit",
             otherwise(wall=lambda reading: reading <= FAR),
             2,
         ),
         (
             "the two cases are the wrong way round: a reading below FAR is a wall, FAR or more is "
-            "none",
+            "no hit",
             otherwise(wall=lambda reading: reading >= FAR),
             0,
         ),
@@ -138,6 +170,35 @@ beam_says = function(
             lambda *asked: says(*asked)[::-1],
             2,
         ),
+        (
+            "a hit that lies beyond the mat is a wall all the same: the floor is free up to "
+            "reading - CELL, not further",
+            lambda x, y, angle, reading: says(
+                x,
+                y,
+                angle,
+                reading,
+                short=CELL if says(x, y, angle, reading)[1] else reading - FAR,
+            ),
+            2,
+        ),
+        *(
+            ("the cell that was hit is not free: it is no part of the list", slip, 2)
+            for slip in (
+                with_hit_free(lambda hit, reading: hit is not None),
+                with_hit_free(lambda hit, reading: reading < FAR),
+                with_hit_free(lambda hit, reading: True),
+            )
+        ),
+        *(
+            mistake(
+                "the reading was rounded: take it as it is",
+                lambda x, y, angle, reading, rounded=rounded: says(x, y, angle, rounded(reading)),
+                2,
+                where=calls("int", "round", "floor"),
+            )
+            for rounded in (int, round)
+        ),
         (NO_CELL, hit_instead([]), 1),
         (NO_CELL, hit_instead(False), 1),
         (NO_CELL, hit_instead((None, None)), 1),
@@ -152,7 +213,7 @@ CELL_TYPED_IN = "5 is typed in as the side of a cell: use CELL, so that it can c
 OF_OTHER_SIZE = function(
     "beam_says(x, y, angle, reading)",
     otherwise(cell=10, short=10, far=120, free=120),
-    compare=same,
+    compare=in_words(same, apart),
     mistakes=[
         mistake(
             FAR_TYPED_IN,
@@ -185,6 +246,7 @@ OF_OTHER_SIZE = function(
 @check("A wall at 50 cm", hint=2)
 def wall(task):
     task.call(beam_says, 22.5, 32.5, 90, 50)
+    task.call(beam_says, 22.8, 32.5, 90, 62.5)
 
 
 @check("Nothing found: 200 cm", hint=0)
@@ -207,6 +269,7 @@ def just_under(task):
 @check("A hit that noise has put beyond the mat", hint=2)
 def beyond(task):
     task.call(beam_says, 132.5, 92.5, 90, 70)
+    task.call(beam_says, 132.5, 92.5, 90, 67.5)
 
 
 @check("A hit in the corner of the mat", hint=2)
