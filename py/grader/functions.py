@@ -1,6 +1,6 @@
 """Judging what a learner's functions have answered.
 
-May import: the standard library, the rest of `grader`.
+May import: the standard library, the rest of `grader`, `performer.limits`, `performer.values`.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from grader.failures import ArgumentChanged, CheckFailed, ProgramFailed
 from grader.places import cells_in, grid_difference, where_cells
 from grader.slips import Wrong, explaining, usual_slip
 from grader.text import Source, Text
+from performer.limits import CALL_S
 from performer.values import MalformedError, decoded, shown
 
 __all__ = ["fault_text", "judge_steps"]
@@ -167,8 +168,11 @@ def _refuse_what_is_no_answer(call: Call, answer: dict[str, Any]) -> None:
         where = f" on line {line}" if isinstance(line, int) else ""
         raise CheckFailed(
             f"an answer to {call}",
-            f"it was still computing{where} when it was stopped",
-            likely="perhaps a loop never ends: does what it tests change inside it?",
+            f"it was still computing{where} when it was stopped, after {CALL_S:g} s of computing",
+            likely=(
+                "it is very slow, or it has a loop that never ends: does what the loop tests "
+                "change inside it?"
+            ),
         )
 
 

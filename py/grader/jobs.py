@@ -184,7 +184,10 @@ def died_of(result: dict[str, Any]) -> str | None:
     if died is None:
         return None
     if died == "time":
-        return "it did not stop computing, so it was ended: is there a loop that never ends?"
+        return (
+            "it did not stop computing, so it was ended: it is very slow, or it has a loop that "
+            "never ends"
+        )
     if died == "crash":
         return (
             "Python itself broke down while it ran: functions that call themselves without end, "

@@ -1,7 +1,7 @@
 """Calls the functions of a learner's program, inside its run.
 
 May import: the standard library, `bugbot.errors`, `bugbot.run`, `bugbot.trace`, `performer.limits`,
-`performer.values`.
+`performer.patience`, `performer.values`.
 
 An answer is one of
 
@@ -22,24 +22,19 @@ they were, "altered" has those that it did not leave: [[number, what it is now],
 from __future__ import annotations
 
 import inspect
-import sys
 from collections.abc import Callable
-from time import process_time as cpu_time  # a run puts simulated time in the module's place
-from types import FrameType, ModuleType
+from types import ModuleType
 from typing import Any
 
 from bugbot.errors import got, nearest
 from bugbot.run.faults import fault_of
 from bugbot.run.limits import LimitReached
 from bugbot.trace import Trace
-from performer.limits import CALL_S, FEW_LINES_A_S, SLOW
+from performer.limits import CALL_S
+from performer.patience import Patience
 from performer.values import decoded, encoded
 
 __all__ = ["Caller"]
-
-
-class _TooLate(BaseException):
-    """A call has computed for longer than it may; no Exception, so few programs catch it."""
 
 
 class Caller:
@@ -50,6 +45,7 @@ class Caller:
         calls: list[dict[str, Any]],
         program: str,
         filename: str,
+        patience: Patience,
         names: dict[str, Any] | None = None,
     ) -> None:
         self.answers: list[dict[str, Any]] = []
@@ -59,17 +55,9 @@ class Caller:
         """What the program's variables are set to before the first call."""
         self._program = program
         self._filename = filename
-        self.late_on: int | None = None
-        """The line on which a call was when it had computed for too long."""
+        self._patience = patience
         self.stopped_on: int | None = None
         """The line on which the program was ended because it had computed for too long."""
-        self._left_on: int | None = None
-        self._began = 0.0
-        self._patience = 0.0
-        self._lines = 0
-        """How many of its lines the program has got through since then."""
-        self._before: Any = None
-        """Who looked on before: a debugger, a measure of coverage, or nobody."""
         self._trace: Trace | None = None
 
     def follow(self, trace: Trace) -> None:
@@ -78,8 +66,8 @@ class Caller:
 
     def make_calls(self, module: ModuleType) -> None:
         """Make all calls; for `run_program`, once the program has come to its end."""
-        sys.settrace(self._before)
-        self.stopped_on, self.late_on = self.late_on, None
+        self._patience.end()
+        self.stopped_on, self._patience.late_on = self._patience.late_on, None
         vars(module).update(self._names)
         for call in self._calls:
             if self.late:
@@ -125,18 +113,16 @@ class Caller:
         self, function: Callable[..., Any], arguments: list[Any], changes: int | None
     ) -> dict[str, Any]:
         before = self._printed()
-        self._left_on = None
         try:
             # The values are taken apart in time as well: their classes may be the program's own.
-            answer: dict[str, Any] = self.patient(
+            answer: dict[str, Any] = self._patience.have(
                 lambda: _answer_of(function(*arguments), arguments, changes), CALL_S
             )
         except (LimitReached, KeyboardInterrupt):
             raise
-        except _TooLate:
-            self.late = True
-            return {"late": self.late_on}
         except BaseException as error:
+            if self._patience.late_on is not None:
+                return self._ended()
             fault = fault_of(error, self._program, self._filename)
             return {
                 "fault": {
@@ -146,52 +132,23 @@ class Caller:
                     "hint": fault.hint,
                 }
             }
+        if self._patience.late_on is not None:  # it has caught what ended it
+            return self._ended()
         if self._printed() != before:
             answer["printed"] = True
-        if answer["value"] is None and self._left_on is not None:
-            answer["left on"] = self._left_on
+        left_on = self._patience.left_on()
+        if answer["value"] is None and left_on is not None:
+            answer["left on"] = left_on
         return answer
+
+    def _ended(self) -> dict[str, Any]:
+        self.late = True
+        return {"late": self._patience.late_on}
 
     def _printed(self) -> tuple[int, int]:
         events = self._trace.events if self._trace is not None else []
         prints = [event for event in events[-1:] if event[0] == "print"]
         return len(events), len(prints[0][3]) if prints else 0
-
-    # -- patience ------------------------------------------------------------
-
-    def patient(self, work: Callable[[], Any], seconds: float) -> Any:
-        """Do some work, and end it if the program computes for more seconds than that.
-
-        In a browser nothing interrupts a program from outside; so it is looked at on each of its
-        own lines. What computes inside one single line is ended by whoever runs the performer.
-
-        A browser has no clock of the processor, so waiting for it counts as well. A program that
-        gets through few lines has longer: a busy machine must not cost anybody a mark.
-        """
-        self._began, self._patience, self._lines = cpu_time(), seconds, 0
-        before = self._before = sys.gettrace()
-        sys.settrace(self._on_line)
-        try:
-            return work()
-        finally:
-            sys.settrace(before)
-
-    def _on_line(self, frame: FrameType, event: str, _argument: Any) -> Any:
-        if frame.f_code.co_filename != self._filename:
-            return None
-        if event == "return":
-            self._left_on = frame.f_lineno  # the last to return is the function that was called
-        self._lines += 1
-        if self._is_late():
-            self.late_on = frame.f_lineno
-            raise _TooLate
-        return self._on_line
-
-    def _is_late(self) -> bool:
-        taken = cpu_time() - self._began
-        if taken <= self._patience:
-            return False
-        return self._lines > FEW_LINES_A_S * self._patience or taken > SLOW * self._patience
 
 
 def _answer_of(returned: Any, arguments: list[Any], changes: int | None) -> dict[str, Any]:

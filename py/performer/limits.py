@@ -25,11 +25,13 @@ RUN_LIMITS: dict[str, Any] = {
     "real_s": 60.0,
 }
 """Of a run; each check names its own simulated seconds. `real_s` is for whoever runs the
-performer: after so many real seconds the interpreter is ended."""
+performer: after so many seconds the interpreter is ended, of the processor where the system counts
+them, else by the clock."""
 
-CALLS_LIMITS = {**RUN_LIMITS, "silent_s": 60.0, "real_s": 60.0}
-"""A program is ended after PROGRAM_S, and its functions are called then; these are for what
-computes inside one single line."""
+CALLS_LIMITS = {**RUN_LIMITS, "silent_s": 600.0, "real_s": 60.0}
+"""A program is ended after PROGRAM_S, and its functions are called then; `real_s` is for what
+computes inside one single line. Silence is counted by the clock on the wall, so it is only for a
+job that waits for ever."""
 
 PROGRAM_S = 10.0
 """Seconds of the processor that a program may take to its end before its functions are called."""
@@ -41,8 +43,9 @@ CALL_S = 2.0
 """Seconds of the processor that one call of a learner's function may take."""
 
 FEW_LINES_A_S = 2000
-"""A program that gets through fewer of its lines in a second is in no endless loop of its own: it
-is still importing a module, or the machine is slow or busy with other things."""
+"""A program whose time is over and that gets through few of its lines from then on, so many for
+each second that it had, is in no endless loop of its own: it is still importing a module, or the
+machine is slow or busy with other things."""
 
 SLOW = 5
 """Such a program has so many times as long."""

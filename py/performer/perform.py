@@ -21,6 +21,7 @@ from performer.calling import Caller
 from performer.constants import unwritten, with_constants
 from performer.fence import fenced
 from performer.limits import AGAIN_S, PROGRAM_S
+from performer.patience import Patience
 from performer.refusal import refusal
 from performer.values import decoded
 
@@ -98,7 +99,7 @@ def _end_of(trace: Trace) -> dict[str, Any]:
 def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
     answers: list[dict[str, Any]] = []
     late = 0
-    patience = PROGRAM_S
+    seconds = PROGRAM_S
     first_on: int | None = None
     for group in job["groups"]:
         if late >= _MOST_LATE:
@@ -106,7 +107,9 @@ def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
             continue
         constants = {name: decoded(value) for name, value in group["constants"].items()}
         changed = with_constants(program, constants)
-        caller = Caller(group["calls"], changed, PROGRAM, unwritten(program, constants))
+        patience = Patience(PROGRAM)
+        names = unwritten(program, constants)
+        caller = Caller(group["calls"], changed, PROGRAM, patience, names)
         run = partial(
             run_program,
             changed,
@@ -115,13 +118,15 @@ def _calls(job: dict[str, Any], program: str) -> dict[str, Any]:
             limits=_limits(job),
             filename=PROGRAM,
             trace_ready=caller.follow,
+            on_flush=patience.look,
             then=caller.make_calls,
         )
-        trace = caller.patient(run, patience)
+        with patience:
+            trace = patience.have(run, seconds)
         late += caller.late
-        stopped_on = _stopped_on(caller)
+        stopped_on = caller.stopped_on
         if stopped_on is not None:  # the program itself went on and on: so it does every time
-            patience = AGAIN_S
+            seconds = AGAIN_S
             first_on = stopped_on if first_on is None else first_on
         answers.append(_reply(trace, caller, None if stopped_on is None else first_on))
     return _result(job, answers=answers)
@@ -143,12 +148,7 @@ def _reply(trace: Trace, caller: Caller, stopped_on: int | None) -> dict[str, An
     if stopped_on is not None:
         words = (
             f"Stopped on line {stopped_on} after {PROGRAM_S:g} s of computing: "
-            "is there a loop that never ends?"
+            "it is very slow, or it has a loop that never ends."
         )
         return {**reply, "status": "limit", "message": words, "fault": None}
     return reply
-
-
-def _stopped_on(caller: Caller) -> int | None:
-    """The line on which the program itself was ended, if it computed for too long."""
-    return caller.stopped_on if caller.stopped_on is not None or caller.late else caller.late_on

@@ -7,7 +7,9 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import sys
+from math import ceil
 from typing import Any
 
 from performer.perform import perform
@@ -29,11 +31,12 @@ def serve() -> None:
             return
         child = os.fork()
         if child == 0:
-            _limit_memory()
+            _limit(request["job"]["limits"]["real_s"])
             _do(request, out)
             os._exit(0)
-        os.waitpid(child, 0)
-        _write(out, {"over": request["turn"]})  # whether or not it has answered
+        status = os.waitpid(child, 0)[1]
+        # Told whether or not it has answered.
+        _write(out, {"over": request["turn"], "died": "time" if _ran_out(status) else "crash"})
 
 
 def _do(request: dict[str, Any], out: int) -> None:
@@ -52,9 +55,17 @@ def _write(out: int, result: dict[str, Any]) -> None:
         rest = rest[os.write(out, rest) :]
 
 
-def _limit_memory() -> None:
+def _limit(seconds: float) -> None:
+    """Of memory, and of the processor's time: what others keep the job waiting does not count."""
     try:
         import resource
     except ImportError:
         return
     resource.setrlimit(resource.RLIMIT_AS, (_MOST_MEMORY, _MOST_MEMORY))
+    whole = max(1, ceil(seconds))
+    resource.setrlimit(resource.RLIMIT_CPU, (whole, whole + 1))
+
+
+def _ran_out(status: int) -> bool:
+    """Whether the system has ended a process because its time of the processor was over."""
+    return os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGXCPU

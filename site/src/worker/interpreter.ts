@@ -116,9 +116,10 @@ const realTime = performance.now.bind(performance);
 
 /**
  * Have Python look at the clock now and then while a program computes. It asks this "buffer" again
- * and again whether Ctrl-C has been pressed, and `bugbot.run.watchdog` takes each press for a look.
+ * and again whether Ctrl-C has been pressed, and `bugbot.run.watchdog` and `performer.patience` take each
+ * press for a look.
  */
-export function lookAtTheClock(pyodide: PyodideAPI): void {
+function lookAtTheClock(pyodide: PyodideAPI): void {
   let due = realTime() + LOOK_EVERY_MS;
   const presses = {
     get 0() {
@@ -145,6 +146,8 @@ export interface Sealed {
   /** Puts the standard library's archive where the interpreter looks for it. */
   installStdlib(bytes: ArrayBuffer): void;
   installWheel(bytes: ArrayBuffer): void;
+  /** From now on Python looks at the clock now and then. */
+  lookAtTheClock(): void;
   /** Names on the global scope that could not be removed. */
   left: readonly string[];
 }
@@ -173,6 +176,7 @@ export function seal(pyodide: PyodideAPI, lastWords: LastWords): Sealed {
       packages.unpack(new Uint8Array(bytes), SITE_PACKAGES);
       for (const library of librariesBelow(pyodide, SITE_PACKAGES)) wasmGate.expect(library);
     },
+    lookAtTheClock: () => lookAtTheClock(pyodide),
     left,
   };
 }

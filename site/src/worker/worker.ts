@@ -8,13 +8,7 @@
  */
 import type { PyodideAPI } from "pyodide";
 import type { Boot, FromWorker, ToWorker } from "../runtime/messages.ts";
-import {
-  lookAtTheClock,
-  type Sealed,
-  seal,
-  startInterpreter,
-  writePythonStack,
-} from "./interpreter.ts";
+import { type Sealed, seal, startInterpreter, writePythonStack } from "./interpreter.ts";
 import { LastWords } from "./last-words.ts";
 import { undoFilters } from "./png-rows.ts";
 
@@ -35,7 +29,7 @@ interface Session {
 
 /** `bridge.marking`, as far as it is called from here. */
 interface Marking {
-  perform(job: string, program: string, beat: (t: number) => void): string;
+  perform(job: string, program: string, beat: (t: number) => void, look: () => void): string;
 }
 
 /** `bridge.ros`, as far as it is called from here. */
@@ -118,7 +112,7 @@ class Interpreter {
         names.destroy();
         this.#send({ kind: "imports", id: message.id, missing, hasStdlib: this.#hasStdlib });
       } else if (message.kind === "run") {
-        this.#run(pyodide, session, message);
+        this.#run(sealed, session, message);
       } else if (message.kind === "convert") {
         this.#convert(sealed.module("bridge.ros") as Ros, message);
       } else {
@@ -142,10 +136,10 @@ class Interpreter {
     );
   }
 
-  #run(pyodide: PyodideAPI, session: Session, request: Extract<ToWorker, { kind: "run" }>): void {
+  #run(sealed: Sealed, session: Session, request: Extract<ToWorker, { kind: "run" }>): void {
     const { id } = request;
     this.#runId = id;
-    lookAtTheClock(pyodide);
+    sealed.lookAtTheClock();
     session.run(
       request.program,
       JSON.stringify(request.world),
@@ -169,7 +163,9 @@ class Interpreter {
     if (message.kind === "perform") {
       const marking = sealed.module("bridge.marking") as Marking;
       const beat = (t: number): void => this.#send({ kind: "beat", id, t });
-      const result = marking.perform(message.job, message.program, beat);
+      const result = marking.perform(message.job, message.program, beat, () =>
+        sealed.lookAtTheClock(),
+      );
       this.#send({ kind: "performed", id, result });
       return;
     }

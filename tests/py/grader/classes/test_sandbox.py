@@ -17,7 +17,7 @@ import pytest
 
 from bugbot import worlds
 from grader.classes.work import Work, mark_work, source_key
-from performer.limits import RUN_LIMITS
+from performer.limits import CALLS_LIMITS, RUN_LIMITS
 from sandbox.node import Sandbox, close_everything
 
 pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="the sandbox needs Node")
@@ -79,6 +79,33 @@ def test_an_honest_program_and_then_the_hostile(sandbox: Sandbox) -> None:
 
     again = sandbox.perform(JOB, "from bugbot import *\nscan()\nforward(20)\n")
     assert again["trace"] == honest["trace"], "nothing stays behind"
+
+
+def test_calls_are_ended_from_within_and_told_with_their_lines(
+    sandbox: Sandbox,
+) -> None:
+    call: dict[str, Any] = {"arguments": [1]}
+    group = {
+        "world": JOB["world"],
+        "seed": 1,
+        "constants": {},
+        "calls": [{**call, "function": name} for name in ("slow", "nothing", "endless")],
+    }
+    job = {"id": "calls-1", "kind": "calls", "limits": CALLS_LIMITS, "groups": [group]}
+    program = """
+def slow(x):
+    return sum(all(n < 9 for n in (x, row)) for row in range(300_000))
+def nothing(x):
+    if x > 1:
+        return 3
+def endless(x):
+    while True:
+        x += 1
+"""
+    slow, nothing, endless = sandbox.perform(job, program)["answers"][0]["answers"]
+    assert slow == {"value": 9}
+    assert nothing == {"value": None, "left on": 5}
+    assert endless["late"] in (8, 9)
 
 
 CHECK = """
