@@ -157,8 +157,10 @@ def _what_is_missing(
         for each in list(wanted)
         if each in there and wanted[each] != there[each]
     ][:_MOST_NAMED]
-    right = f"{counted(len(expected), one)} in any order"
-    wrong = counted(len(got), one) if got else "none"
+    right = counted(len(expected), one)
+    if len(expected) != 1:
+        right += " in any order"
+    wrong = counted(len(got), one) if got else f"an empty {type(got).__name__}"
     return right, f"{wrong}: {', and '.join(clauses)}" if clauses and got else wrong
 
 

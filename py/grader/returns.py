@@ -61,7 +61,8 @@ def _of_return(statement: ast.Return) -> str | None:
     if isinstance(called, ast.Attribute) and called.attr in _IN_PLACE:
         return (
             f"line {statement.lineno} returns what {called.attr}() gives, and that is None: "
-            f"{called.attr}() changes the thing itself, so return that on a line of its own"
+            f"{called.attr}() changes the thing itself, so call it first and return the thing on "
+            "the next line"
         )
     return None
 

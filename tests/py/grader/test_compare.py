@@ -103,7 +103,13 @@ NINE = "9 items in any order"
         (exactly, 0.3, 0.3000001, ("0.3 (the float 0.3)", "0.3 (the float 0.3000001)")),
         (exactly, {1, 2}, {1}, ("{1, 2}", "{1}")),
         (exactly, {(1, 2)}, {(2, 1)}, ("{(1, 2)}", "{(2, 1)}")),
-        (exactly, set(range(9)), set(), (NINE, "none")),
+        (exactly, set(range(9)), set(), (NINE, "an empty set")),
+        (
+            exactly,
+            {1},
+            set(range(9)),
+            ("1 item", "9 items: 0, 2, 3 and 5 more should not be there"),
+        ),
         (
             exactly,
             set(),
@@ -160,7 +166,7 @@ def test_a_comparison_that_minds_no_order_is_told_what_is_missing() -> None:
             [[9, 3], *cells[2:]],
             "9 different items: (0, 3) is missing, and [9, 3] should not be there",
         ),
-        ([], "none"),
+        ([], "an empty list"),
         (None, "None"),
     ):
         assert difference(cells_in_any_order, cells, got)[1] == told
