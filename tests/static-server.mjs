@@ -2,9 +2,9 @@
  * The plainest static host there is, for the tests: dist/ below a folder, no special headers, no
  * compression, no redirects but the one to a folder's slash.
  *
- * node tests/static-server.mjs [PORT [FOLDER-OF-THE-ADDRESS [FOLDER-OF-THE-SITE]]]
+ * node tests/static-server.mjs [PORT [FOLDER-OF-THE-ADDRESS [FOLDER-OF-THE-SITE [tell]]]]
  *
- * PORT 0 is any free one. Prints the address once it answers.
+ * PORT 0 is any free one. Prints the address once it answers and, if it is to tell, what it is asked for.
  */
 import { createReadStream, existsSync, statSync } from "node:fs";
 import { createServer } from "node:http";
@@ -14,6 +14,7 @@ import { ROOT } from "../site/build/files.mjs";
 const port = Number(process.argv[2] ?? 4174);
 const prefix = process.argv[3] ?? "/some/school/";
 const dist = resolve(process.argv[4] ?? join(ROOT, "dist"));
+const tells = process.argv[5] === "tell";
 
 /** @type {Record<string, string>} */
 const TYPES = {
@@ -27,6 +28,7 @@ const TYPES = {
 };
 
 const server = createServer((request, response) => {
+  if (tells) console.log(request.url);
   const { pathname } = new URL(request.url ?? "/", "http://localhost");
   const path = decodeURIComponent(pathname);
   const inside = path.startsWith(prefix) && !path.includes("..");

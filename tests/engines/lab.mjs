@@ -95,6 +95,25 @@ export class Lab {
     return text ?? "";
   }
 
+  /**
+   * Runs a program as a page does that embeds a lab; what it has printed.
+   * @param {string} program
+   */
+  async outcome(program) {
+    const printed = await this.tab.evaluateOn(
+      this.its("textbox", "Program"),
+      async (element, /** @type {string} */ text) => {
+        /** @type {(HTMLElement & { program: string, run(): Promise<{ console: string }> }) | null} */
+        const lab = element.closest("bugbot-lab");
+        if (!lab) return null;
+        lab.program = text;
+        return (await lab.run()).console;
+      },
+      program,
+    );
+    return printed ?? "";
+  }
+
   async run() {
     await this.tab.click(this.its("button", "Run"));
   }

@@ -5,11 +5,14 @@
  *     --need firefox    a fault if this engine is not installed (several times; `--need all`)
  *     --few             the few stories that npm test tells
  *     --story WORDS     only the stories whose names have these words in them
+ *     --ways            in place of the stories, the ways out of a program's worker, kind by kind;
+ *                       under Node as well (`--only node`: there alone)
  *     --dist FOLDER     a site that is built already; without it, dist/ is built first
  *     --pictures FOLDER a picture of the lab, the article and a task in each engine, as PNG
  *
  * An engine that is not installed is named, with what installs it. Prints a table, and writes it to
- * bench/engines.md when all stories have been told in all engines.
+ * bench/engines.md when all stories have been told in all engines
+ * (the ways: to bench/ways.md).
  */
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -25,6 +28,7 @@ const { values: options } = parseArgs({
     need: { type: "string", multiple: true, default: [] },
     few: { type: "boolean", default: false },
     story: { type: "string" },
+    ways: { type: "boolean", default: false },
     dist: { type: "string" },
     pictures: { type: "string" },
   },
@@ -36,22 +40,29 @@ const { serve } = await import("./site.mjs");
 const { NotHere, STORIES } = await import("./stories.mjs");
 const { Tab } = await import("./tab.mjs");
 const { tableOf } = await import("./table.mjs");
+const { WAYS, waysAsStories, waysUnderNode } = await import("./ways.mjs");
 ensureVenv();
 
 const known = findEngines(findBrowser());
 const names = known.map(({ name }) => String(name));
 for (const name of [...options.only, ...options.need]) {
-  if (!names.includes(name) && name !== "all") {
+  if (!names.includes(name) && name !== "all" && !(options.ways && name === "node")) {
     fail(`There is no engine “${name}”.`, `name one of ${names.join(", ")}.`);
   }
 }
 const { only, need } = options;
 const engines = known.filter(({ name }) => only.length === 0 || only.includes(name));
-const stories = STORIES.filter(({ name, few }) =>
-  options.story ? name.includes(options.story) : few || !options.few,
-);
+/** @type {string[]} */
+const asked = [];
+/** @param {string} name */
+const named = (name) => !options.story || name.includes(options.story);
+const kinds = WAYS.filter(({ kind }) => named(kind));
+const all = options.ways ? waysAsStories(kinds, asked) : STORIES;
+const stories = options.ways
+  ? all
+  : all.filter(({ name, few }) => (options.story ? named(name) : few || !options.few));
 if (stories.length === 0) {
-  fail(`No story has “${options.story}” in its name.`, STORIES.map(({ name }) => name).join("; "));
+  fail(`No story has “${options.story}” in its name.`, all.map(({ name }) => name).join("; "));
 }
 
 if (!options.dist) {
@@ -61,23 +72,34 @@ if (!options.dist) {
 // So that the servers and the screen go as well.
 for (const signal of ["SIGINT", "SIGTERM"]) process.once(signal, () => process.exit(1));
 const dist = resolve(options.dist ?? join(ROOT, "dist"));
-const site = await serve(dist);
+const site = await serve(dist, asked);
 
 /** @type {import("./table.mjs").Report[]} */
 const reports = [];
 for (const engine of engines) reports.push(await inEngine(engine));
 await site.cut();
+if (options.ways && (only.length === 0 || only.includes("node"))) {
+  reports.push(await waysUnderNode(kinds));
+}
 
 const table = tableOf(
   reports,
   stories.map(({ name }) => name),
 );
 console.log(`\n${table}`);
-const whole = stories.length === STORIES.length && engines.length === known.length;
+const whole = !options.story && stories.length === all.length && engines.length === known.length;
 if (whole && reports.every(({ missing }) => !missing)) {
-  const head = "# The main stories, engine by engine\n\nWritten by `npm run test:engines`.\n\n";
+  const [file, head] = options.ways
+    ? [
+        "ways.md",
+        "# The ways out of a worker, engine by engine\n\nWritten by `npm run test:engines -- --ways`.\n\n",
+      ]
+    : [
+        "engines.md",
+        "# The main stories, engine by engine\n\nWritten by `npm run test:engines`.\n\n",
+      ];
   mkdirSync(join(ROOT, "bench"), { recursive: true });
-  writeFileSync(join(ROOT, "bench/engines.md"), `${head}${table}\n`);
+  writeFileSync(join(ROOT, "bench", file), `${head}${table}\n`);
 }
 const failed = reports.flatMap(({ told }) => told).filter(({ result }) => result === "failed");
 const lacking = engines.filter(({ name, missing }) => {
@@ -109,7 +131,7 @@ async function inEngine(engine) {
   report.version = `${title} ${driver.version.replace(/^\D*/, "")}`;
   console.log(`\n${report.version}`);
   try {
-    const tab = new Tab(driver, site.url);
+    const tab = new Tab(driver, site.url, name);
     await tab.keepNothing();
     for (const story of stories) {
       tab.leaveFor(site.url);

@@ -32,14 +32,18 @@ const PATIENCE_MS = 120_000;
 export class Tab {
   #driver;
   #home;
+  /** Its engine's name. */
+  engine;
 
   /**
    * @param {Driver} driver
    * @param {string} home address of the site
+   * @param {import("./find.mjs").EngineName} engine
    */
-  constructor(driver, home) {
+  constructor(driver, home, engine) {
     this.#driver = driver;
     this.#home = home;
+    this.engine = engine;
   }
 
   /**

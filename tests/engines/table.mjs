@@ -23,7 +23,8 @@ export function tableOf(reports, stories) {
     const told = report.told.find((each) => each.story === story);
     if (!told) return "";
     const { result, seconds, detail } = told;
-    if (result === "passed") return `${seconds.toFixed(1)} s${detail && `, ${detail}`}`;
+    const took = seconds < 0.05 ? "" : `${seconds.toFixed(1)} s`;
+    if (result === "passed") return [took, detail].filter(Boolean).join(", ");
     return `${result === "failed" ? "FAILED" : "not here"} ${note(`${report.title}, ${story}: ${detail}`)}`;
   };
   const rows = [

@@ -1,44 +1,31 @@
-/** The locked-down Python under Node lets nothing out, even without the fences that Python has itself. */
+/**
+ * The locked-down Python under Node lets nothing out, even without the fences that Python has itself. The
+ * other ways are tried there by `npm run test:engines -- --ways`.
+ */
 import { spawnSync } from "node:child_process";
-import {
-  cpSync,
-  existsSync,
-  linkSync,
-  mkdtempSync,
-  readdirSync,
-  rmSync,
-  writeFileSync,
-} from "node:fs";
+import { existsSync, mkdtempSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { expect, test } from "@playwright/test";
-import { CACHE, ROOT } from "../../site/build/files.mjs";
-import { bundle, options, prepareSandbox } from "../../site/build/sandbox.mjs";
-import { WAYS_OUT } from "../e2e/ways-out.ts";
-
-/** A folder of the test's own with the sandbox's files in it. */
-async function sandboxWith(entry: string): Promise<string> {
-  const { folder } = await prepareSandbox();
-  const own = mkdtempSync(join(CACHE, "sandbox-test-"));
-  for (const file of readdirSync(folder)) {
-    if (file !== "loader") linkSync(join(folder, file), join(own, file));
-  }
-  cpSync(join(folder, "loader"), join(own, "loader"), { recursive: true });
-  await bundle(entry, own, "entry.mjs");
-  return own;
-}
+import { ROOT } from "../../site/build/files.mjs";
+import { options } from "../../site/build/sandbox.mjs";
+import { THE_MACHINE } from "../ways/machine.mjs";
+import { sandboxForWays } from "../ways/node.mjs";
+import { PYODIDES_OWN_MODULES } from "../ways/pyodide.mjs";
+import { faultsOf, tryWays } from "../ways/runs.mjs";
 
 test("no way out of the locked-down Python is open", async () => {
   test.setTimeout(180_000);
   const secret = join(mkdtempSync(join(tmpdir(), "secret-")), "secret.txt");
   const written = `${secret}.written`;
   writeFileSync(secret, "the teacher's password");
-  const folder = await sandboxWith(join(ROOT, "tests/unit/ways-out-of-node.ts"));
+  const sandbox = await sandboxForWays({ PATH_OF_TEST: "1" });
   const [read, write] = [JSON.stringify(secret), JSON.stringify(written)];
   const ways = [
-    ...WAYS_OUT,
+    ...PYODIDES_OWN_MODULES.ways,
+    ...THE_MACHINE.ways,
     { name: "a file of the host", program: `print("OPEN", open(${read}).read())` },
     { name: "writing on the host", program: `open(${write}, "w").write("x")` },
     {
@@ -62,23 +49,12 @@ for name in ("grader", "mapping", "bridge.judging", "bridge.ros"):
     },
   ];
   try {
-    const said: Record<string, string> = {};
-    for (let rest = ways; rest.length > 0; rest = ways.filter(({ name }) => !(name in said))) {
-      const done = spawnSync(process.execPath, [...options(folder), join(folder, "entry.mjs")], {
-        input: JSON.stringify(rest),
-        encoding: "utf8",
-        timeout: 60_000,
-        env: { PATH_OF_TEST: "1" },
-      });
-      expect(done.stderr).toBe("");
-      Object.assign(said, JSON.parse(done.stdout));
-    }
-    expect(Object.keys(said)).toEqual(ways.map(({ name }) => name));
-    const open = Object.entries(said).filter(([, text]) => text.includes("OPEN"));
-    expect(open).toEqual([]);
+    const said = await tryWays(ways, 1, sandbox.run);
+    expect(said.size).toBe(ways.length);
+    expect(faultsOf(said)).toEqual([]);
     expect(existsSync(written)).toBe(false);
   } finally {
-    rmSync(folder, { recursive: true });
+    sandbox.remove();
   }
 });
 
