@@ -45,7 +45,8 @@ def _details(check: dict[str, Any]) -> list[str]:
         if where["cells"]:
             cells = ", ".join(f"({column}, {row})" for column, row in where["cells"][:5])
             more = len(where["cells"]) - 5
-            parts.append(f"cells {cells}{f' and {more} more' if more > 0 else ''}")
+            noun = "cell" if len(where["cells"]) == 1 else "cells"
+            parts.append(f"{noun} {cells}{f' and {more} more' if more > 0 else ''}")
         if parts:
             lines.append(_detail("where", "; ".join(parts)))
     if check["likely"] is not None:
