@@ -55,7 +55,8 @@ export class App {
     // Not by a click: in the middle of the editor there may be a slider.
     await this.program.focus();
     await this.page.keyboard.press("ControlOrMeta+a");
-    await this.page.keyboard.insertText(program);
+    if (program === "") await this.page.keyboard.press("Delete");
+    else await this.page.keyboard.insertText(program);
     expect(await this.text()).toBe(program);
   }
 

@@ -62,7 +62,12 @@ async function visit(browser, server, path) {
   const context = await browser.newContext({ serviceWorkers: "block" });
   try {
     const page = await context.newPage();
-    await page.goto(server.url + path, { waitUntil: "commit" });
+    const answer = await page.goto(server.url + path, { waitUntil: "commit" });
+    // In place of the page the reader has what the server says, and none of our code.
+    const kind = answer?.headers()["content-type"] ?? "";
+    if (!answer?.ok() || !kind.startsWith("text/html")) {
+      return { verdict: "told", words: `the server: ${answer?.status()}, ${kind}` };
+    }
     // No answer of the page's own: the browser says so itself.
     if (!(await page.locator("body").count())) return { verdict: "told", words: "the browser" };
     const told = page.locator(".not-loaded, .lab-status[data-tone=bad]").first();
