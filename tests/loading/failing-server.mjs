@@ -21,8 +21,8 @@ const TYPES = {
   ".png": "image/png",
 };
 
-const SORRY =
-  "<!doctype html><html lang=en><title>Sorry</title><p>Something went wrong.</p></html>";
+export const SORRY_TITLE = "Sorry";
+const SORRY = `<!doctype html><html lang=en><title>${SORRY_TITLE}</title><p>Something went wrong.</p></html>`;
 
 export class FailingServer {
   url = "";

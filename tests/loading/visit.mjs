@@ -6,7 +6,7 @@
  * @typedef {import("./failing-server.mjs").Fault} Fault
  * @typedef {{ verdict: "works" | "told" | "silent", words: string }} Outcome
  */
-import { FailingServer } from "./failing-server.mjs";
+import { FailingServer, SORRY_TITLE } from "./failing-server.mjs";
 
 /** @type {readonly import("./failing-server.mjs").Failure[]} */
 export const FAILURES = ["500", "cut", "404", "wrong"];
@@ -64,10 +64,8 @@ async function visit(browser, server, path) {
     const page = await context.newPage();
     const answer = await page.goto(server.url + path, { waitUntil: "commit" });
     // In place of the page the reader has what the server says, and none of our code.
-    const kind = answer?.headers()["content-type"] ?? "";
-    if (!answer?.ok() || !kind.startsWith("text/html")) {
-      return { verdict: "told", words: `the server: ${answer?.status()}, ${kind}` };
-    }
+    const isOurs = answer?.ok() && !(await page.title()).startsWith(SORRY_TITLE);
+    if (!isOurs) return { verdict: "told", words: `the server: ${answer?.status()}` };
     // No answer of the page's own: the browser says so itself.
     if (!(await page.locator("body").count())) return { verdict: "told", words: "the browser" };
     const told = page.locator(".not-loaded, .lab-status[data-tone=bad]").first();
