@@ -1,4 +1,4 @@
-# earns: end_of_beam(100, 50, 400, 40) gives
+# earns: (100.0, 90.0)
 # Where a beam ends
 #
 # Write end_of_beam, then press Run. The red

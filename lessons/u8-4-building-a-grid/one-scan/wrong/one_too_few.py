@@ -24,7 +24,7 @@ def add_scan(log_odds, x, y, facing, readings):
     readings: pairs (angle from straight ahead, distance)
     The list itself is changed; nothing is returned.
     """
-    for i in range(7):
+    for i in range(len(readings) - 1):
         angle, reading = readings[i]
         add_beam(log_odds, x, y, facing + angle, reading)
 
