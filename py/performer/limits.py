@@ -43,9 +43,9 @@ CALL_S = 2.0
 """Seconds of the processor that one call of a learner's function may take."""
 
 FEW_LINES_A_S = 2000
-"""A program whose time is over and that gets through few of its lines from then on, so many for
-each second that it had, is in no endless loop of its own: it is still importing a module, or the
-machine is slow or busy with other things."""
+"""A program whose time is over, and which from then on gets through fewer lines than this for each
+second that it had, is in no endless loop of its own: it is still importing a module, or the machine
+is slow or busy with other things."""
 
 SLOW = 5
 """Such a program has so many times as long."""

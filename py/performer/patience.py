@@ -43,7 +43,7 @@ class TooLate(BaseException):
 
 
 class Patience:
-    """Has a program's work done, and ends it. Use it in a `with` block."""
+    """Does a program's work, and ends it when its time is over. Use it in a `with` block."""
 
     def __init__(self, filename: str) -> None:
         self.late_on: int | None = None
@@ -59,7 +59,7 @@ class Patience:
         self._ended = False
         """Whether the work was ended; a program may catch that."""
         self._first: FrameType | None = None
-        """Of the function of the program that the work began with."""
+        """The frame of the program's function that the work began with."""
         self._before: Any = None
         """Who looked on before: a debugger, a measure of coverage, or nobody."""
         self._outside: Any = None
@@ -109,7 +109,7 @@ class Patience:
             self.end()
 
     def end(self) -> None:
-        """From now on the program has its time; nothing happens if it has."""
+        """Stop watching the time: what comes now is not the program's. May be called twice."""
         if self._seconds is None:
             return
         self._seconds = None
@@ -120,12 +120,12 @@ class Patience:
             signal.signal(self._number, self._handler)
 
     def left_on(self) -> int | None:
-        """The line on which the function was left that the work began with; to be asked once."""
+        """The line on which the function that the work began with returned. Ask once only."""
         first, self._first = self._first, None
         return None if first is None else first.f_lineno
 
     def look(self) -> None:
-        """Look at the clock; for whoever has a moment in the middle of the program's run."""
+        """Look at the clock: called from our own code while the program runs."""
         self._look(sys._getframe(1))
 
     # -- what Python tells ---------------------------------------------------
@@ -140,7 +140,7 @@ class Patience:
     def _on_first(self, frame: FrameType, event: str, argument: Any) -> Any:
         if frame.f_code.co_filename != self._filename:
             return None
-        # A frame that somebody holds still tells, when it is left, on which line that was.
+        # While we hold its frame, it tells even after the return which line it returned from.
         self._first = frame
         if self._number is not None:
             sys.settrace(self._before)
@@ -153,7 +153,7 @@ class Patience:
             self._handler(number, frame)  # the watchdog looks at its own clock
         self._look(frame)
         if self._ended and frame is not None and frame.f_code.co_filename == self._filename:
-            raise TooLate  # and once more on the next line, which is outside of what catches it
+            raise TooLate  # it has caught the first one: again, outside its `try`
 
     def _look(self, frame: FrameType | None) -> None:
         """Follow the program from here if its time is over."""

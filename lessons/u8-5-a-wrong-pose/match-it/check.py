@@ -419,6 +419,7 @@ def edges(task):
 
 @check("A guess that is turned a little", hint=1)
 def turned(task):
+    task.call(match, FIELD, *TRUE, HITS)  # no pose beats the guess itself
     for off in (-3, 2, 3):
         task.call(match, FIELD, *TRUE[:2], TRUE[2] + off, HITS)
 

@@ -48,15 +48,15 @@ export function lockDown(hear: (text: string) => void): string[] {
 }
 
 /**
- * An error in a promise or a timer that a program has left behind would be told in the page's console,
- * in the program's own words. Node has no such events, and ends the process.
+ * An error in a promise or a timer that a program has left behind would appear in the page's console, in
+ * the program's own words. Node has no such events: there it ends the process.
  */
 function hearStrayErrors(hear: (text: string) => void): void {
   if (typeof addEventListener !== "function") return;
   for (const kind of ["error", "unhandledrejection"]) {
     addEventListener(kind, (event) => {
       event.preventDefault();
-      // No part of it is looked at: it may be an object of the program's.
+      // We read nothing of the error itself: it may be an object that the program has made.
       hear("An error that nobody has caught");
     });
   }
