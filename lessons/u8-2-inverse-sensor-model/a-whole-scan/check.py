@@ -223,13 +223,13 @@ MISTAKES = [
         where=calls("distance"),
     ),
     mistake(
-        "hits is a set of look's own here, gone when look ends: leave out what makes it",
+        "look() makes a new set hits, which is gone when it ends: leave that line out",
         lambda run: not drawn(run)[1],
         2,
         where=own_set("hits"),
     ),
     mistake(
-        "free is a set of look's own here, gone when look ends: leave out what makes it",
+        "look() makes a new set free, which is gone when it ends: leave that line out",
         lambda run: not drawn(run)[0],
         2,
         where=own_set("free"),

@@ -297,7 +297,7 @@ add_all = function(
             where=(loops(), operator("-")),
         ),
         (
-            "rows and columns of the answer have changed places: leave out what turns it over",
+            "rows and columns are swapped in the answer: leave out what swaps them",
             turned_over,
             0,
         ),

@@ -175,7 +175,8 @@ add = function(
         (NOTHING_AT_THE_LIMIT, nothing_if(lambda total, limit: total == limit), 1),
         (NOTHING_AT_THE_LIMIT, nothing_if(lambda total, limit: total == -limit), 1),
         (
-            "once l is at the limit it stays there: evidence is added there too, and can lead back",
+            "once l is at the limit it stays there: evidence still counts there, and can bring it "
+            "back",
             stays,
             0,
         ),

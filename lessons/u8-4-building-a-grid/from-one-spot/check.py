@@ -300,8 +300,7 @@ LEAVES = [
         {"cell": truncated},
     ),
     (
-        "cell number 0 was left out: it is the one at the bottom left, and where its number is "
-        "asked with if, 0 means no",
+        "cell number 0, at the bottom left, was left out: an if on its number takes 0 for no",
         (),
         {"cell": lambda x, y: inside(x, y) or None},
     ),

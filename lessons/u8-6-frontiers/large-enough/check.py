@@ -45,7 +45,7 @@ large_regions = function(
         ),
         mistake(
             "the order is still that of regions: sets have no order by size, "
-            "so sorting wants to know key=len",
+            "so sort them with key=len",
             kept,
             2,
             where=code(

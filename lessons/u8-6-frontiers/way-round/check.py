@@ -192,8 +192,8 @@ def search(cost=dist, steps=SIDES + CORNERS, asks=all, ahead=lambda c, r: 0, onc
 
 
 EMPTY = (
-    "the list has to be empty if the search never came to the goal: ask for that before you walk "
-    "back from it"
+    "the list has to be empty if the search never came to the goal: check for that before you "
+    "walk back from it"
 )
 CUTS = "it cuts corners: "
 find_way = function(

@@ -1,4 +1,4 @@
-# earns: free is a set of look's own
+# earns: look() makes a new set free
 # A whole scan
 #
 # Let look use the whole scan, then press Run.

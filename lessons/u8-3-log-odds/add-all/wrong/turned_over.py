@@ -1,4 +1,4 @@
-# earns: rows and columns of the answer have changed places
+# earns: rows and columns are swapped in the answer
 # A whole scan at once, with NumPy
 #
 # A beam that crosses a cell names it about twice, and

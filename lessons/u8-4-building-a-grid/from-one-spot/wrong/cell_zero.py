@@ -1,4 +1,4 @@
-# earns: cell number 0 was left out
+# earns: cell number 0, at the bottom left, was left out
 # A map from one spot
 #
 # The robot turns on the spot in a corner of the mat.

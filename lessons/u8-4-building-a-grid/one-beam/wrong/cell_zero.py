@@ -1,4 +1,4 @@
-# earns: cell number 0 was left out
+# earns: cell number 0, at the bottom left, was left out
 # One beam into the grid
 #
 # The robot stands 110 cm from a wall and looks once.
